@@ -60,12 +60,14 @@ done <<'END'
 9-sets-n no - ^    Line 8 sets n, which the tests set: put '.ifndef n' before it
 10-no-label no - ^    The answer has no label above, which must hold results\.$
 END
+columns=student,lesson,passed,medal,clocks,right,tests,points,date,remarks,report
 LC_ALL=C sort unsorted >wanted
 expect "not thirty have handed in" [ "$(wc -l <wanted)" -eq 30 ]
 for folder in class one-lesson; do
     check 0 --folder $folder "$lesson" --format csv --json $folder.json
     expect "something is told of the folder $folder" [ ! -s err ]
-    expect "other columns" [ "$(head -n 1 out)" = student,lesson,passed,medal,clocks,report ]
+    expect "other columns" \
+        [ "$(head -n 1 out)" = "$columns" ]
     sed 1d out | cut -d, -f1-4 | LC_ALL=C sort | cmp -s - wanted
     verdict $? "a class gets other marks: $folder"
     expect "not a line each" [ "$(wc -l <out)" -eq 31 ]
@@ -88,14 +90,14 @@ hand_ins() { # FOLDER [LESSON]; stdin: KIND PATH STUDENT LESSON REASON, "-" for 
     while read -r kind path student of reason; do
         hand_in "$kind" "$1/$path"
         [ "$reason" = - ] ||
-            echo "${student#-},${of#-},no,,,$1/$path: not graded: $reason" >>rows
+            echo "${student#-},${of#-},no,,$1/$path: not graded: $reason" >>rows
     done
     LC_ALL=C sort rows >wanted
     check 1 --folder "$@" --format csv --json rows.json
-    cut -d, -f6 wanted | sed 's/^/c205 check: /' | LC_ALL=C sort >messages
+    cut -d, -f5 wanted | sed 's/^/c205 check: /' | LC_ALL=C sort >messages
     LC_ALL=C sort err | cmp -s - messages
     verdict $? "other messages: $*"
-    grep ': not graded: ' out | LC_ALL=C sort | cmp -s - wanted
+    grep ': not graded: ' out | cut -d, -f1-4,11 | LC_ALL=C sort | cmp -s - wanted
     verdict $? "other rows: $*"
     [ "$(grep -c '^      "student": ' rows.json)" -eq $(($(wc -l <out) - 1)) ]
     verdict $? "other hand-ins in JSON: $*"
@@ -134,7 +136,7 @@ pipe ida.s ida scale a pipe or a device
 END
 truncate -s 300M few/kate.s
 check 1 --folder few "$lesson" --format csv
-tells out '^kate,scale,no,,,few/kate.s: not graded: this file has more than [0-9]* bytes$'
+tells out '^kate,scale,no,,.*,few/kate.s: not graded: this file has more than [0-9]* bytes$'
 [ "$(grep -c ',scale,yes,gold,' out)" -eq 2 ]
 verdict $? "hand-ins that are not graded change the marks"
 hand_ins class-of-one <<'END'
@@ -178,6 +180,60 @@ check 1 --folder missing "$lesson"
 tells err '^c205 check: missing is not a folder'
 mkdir empty
 check 0 --folder empty
+
+# Dates, remarks, points and the files for the students.
+mkdir -p marks/anna marks/ben marks/chloe marks/dora feedback
+cp drawer/2-silver.s marks/anna/scale.s
+sed 's/xs/input/g; s/r10/r20/; s/;.*//' drawer/2-silver.s >marks/ben/1.s
+cp drawer/5-untouched.s marks/chloe/scale.s
+sed 's/^ *EXIT/        .if n == 1\n        EXIT\n        .endif\n&/' \
+    drawer/1-no-gold.s | sed 's/limit, 1000/limit, n * 500/' >marks/dora/scale.s
+TZ=UTC touch -d '2027-03-01 09:30' marks/anna/scale.s
+check 0 --folder marks "$lesson" --format csv --feedback feedback --json marks.json
+expect "something is told of marks" [ ! -s err ]
+tells out '^anna,scale,yes,silver,30485,4,4,90,2027-03-01 09:30,,'
+tells out '^ben,scale,yes,silver,30485,4,4,90,.*,The same code as anna/scale\.s\.,'
+tells out '^chloe,scale,no,,,0,4,0,'
+tells marks.json '"points": 90'
+tells marks.json '"date": "2027-03-01 09:30"'
+tells marks.json '"The same code as'
+tells feedback/anna.txt '^anna/scale.s, 2027-03-01 09:30$'
+tells feedback/anna.txt '^    It took 30485 clocks, 5485 more'
+tells feedback/anna.txt '^Tests: 4 of 4 right\.  Points: 90 of 100\.$'
+tells feedback/chloe.txt '^scale: not passed, 0 of 4 tests right$'
+expect "not a file each" [ "$(find feedback -type f | wc -l)" -eq 4 ]
+check 1 --folder marks "$lesson" --feedback nowhere
+tells err '^c205 check: nowhere is not a folder$'
+
+# A lesson without fresh inputs is refused, unless the teacher accepts it.
+cp -r "$lesson" 01-scale
+rm 01-scale/fresh.s
+check 1 --folder marks 01-scale --format csv
+tells out '^anna,scale,no,,.*not graded: 01-scale has no fresh\.s, which fresh tests need'
+check 0 --folder marks 01-scale --format csv --no-fresh
+tells out '^anna,scale,yes,silver,30485,3,3,90,'
+
+# Unpublished tests, of one lesson and of the course.
+mkdir -p hidden course/05-control-vectors
+sed 's/n, 10000/n, 7/; s/^; test: .*/; test: seven/; s/want_above: .*/want_above: .word 0/
+    /^; goals/d' "$lesson/test-large.s" >hidden/test-seven.s
+sed 's/^; test: .*/; test: as the edge/' \
+    "$here/docs/course/05-control-vectors/test-edge.s" \
+    >course/05-control-vectors/test-other.s
+check 0 --folder marks "$lesson" --format csv --tests hidden
+tells out '^anna,scale,yes,silver,30485,5,5,90,'
+check 0 "$lesson" drawer/1-no-gold.s --tests hidden
+tells out '^seven: right (seven)$'
+cp "$here/docs/course/05-control-vectors/solution.s" control-vectors.s
+mkdir tax && mv control-vectors.s tax
+check 0 --folder tax --tests course --format csv --json tax.json
+tells out '^,control-vectors,yes,gold,.*,6,6,100,'
+tells tax.json '"tries": "as the edge"'
+echo 'want_y: .wort 1' >hidden/test-wrong.s
+check 1 --folder marks "$lesson" --tests hidden
+tells err '^c205 check: 01-scale/test-wrong.s:1: the note '
+check 1 --folder marks "$lesson" --tests nowhere
+tells err '^c205 check: nowhere is not a folder$'
 
 # Ctrl-C while a class of endless loops is graded.
 mkdir late

@@ -106,10 +106,13 @@ static bool find_lesson(struct check_command *check, c205_error *error)
 {
     const char *name = check->args->lesson;
     check->lesson = name ? lessons_find(&check->lessons, name, error) : NULL;
-    if (!name || check->lesson || !folder_is(name))
-        return !name || check->lesson;
-    check->lesson = &check->own;
-    return check_read_lesson(&check->own, name, error);
+    if (name && !check->lesson && folder_is(name)) {
+        check->lesson = &check->own;
+        if (!check_read_lesson(&check->own, name, error))
+            return false;
+    }
+    return (!name || check->lesson)
+           && (!check->args->tests || check_read_tests(check, error));
 }
 
 /* Writes the results even if the answer has not passed; *good is then false. */
@@ -119,6 +122,7 @@ static int work(const struct check_command *check, bool *good)
     return args->folder     ? check_folder(check, good)
            : !check->lesson ? check_list(check)
            : args->answer   ? check_answer(check, good)
+           : args->seed > 0 ? check_fresh(check)
                             : check_show(check);
 }
 
@@ -136,6 +140,14 @@ static int check_usage(const struct check_arguments *args)
                ? cmd_usage(
                    command,
                    "--hints requires a LESSON, without ANSWER, --folder or --start")
+           : args->tests && !args->answer && !args->folder
+               ? cmd_usage(command, "--tests requires an ANSWER or --folder")
+           : args->feedback && !args->folder
+               ? cmd_usage(command, "--feedback requires --folder")
+           : args->fresh > 0 && !args->answer && !args->folder
+               ? cmd_usage(command, "--fresh requires an ANSWER or --folder")
+           : args->seed > 0 && !args->lesson && !args->folder
+               ? cmd_usage(command, "--fresh-seed requires a LESSON or --folder")
            : args->no_fresh && (args->fresh > 0 || args->seed > 0)
                ? cmd_usage(command,
                            "--no-fresh cannot be combined with --fresh or --fresh-seed")
@@ -178,7 +190,13 @@ static const struct command_option options[] = {
     { OPTION_COUNT("fresh", PLACE(fresh), 1, 100, 0,
                    "also test with N draws of fresh inputs; 1 with --folder") },
     { OPTION_COUNT("fresh-seed", PLACE(seed), 1, 1000000000, 0,
-                   "number of the first draw; without it, each answer has its own") },
+                   "number of the first draw (each answer has its own); without an "
+                   "ANSWER, print its fresh tests") },
+    { OPTION_ROW("tests", "DIR", COMMAND_FOLDER, PLACE(tests),
+                 "also run unpublished tests: DIR/test-NAME.s of one lesson, or "
+                 "DIR/NN-LESSON/test-NAME.s") },
+    { OPTION_ROW("feedback", "DIR", COMMAND_FOLDER, PLACE(feedback),
+                 "write a file DIR/STUDENT.txt with the reports for each student") },
     OPTION_FLAG("no-fresh", PLACE(no_fresh),
                 "grade hand-ins without fresh inputs, for lessons that have none"),
     CMD_RESULTS,

@@ -1,6 +1,8 @@
-/* cmd_check_folder.c - reads lessons from folders, and grades folders of answers. */
+/* cmd_check_folder.c - grades folders of answers. */
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 
 #include "asm/command/cmd_check.h"
 #include "vm/error.h"
@@ -10,87 +12,37 @@
 #include "base/progress.h"
 #include "base/text_file.h"
 
-static bool join_path(struct text_buffer *path, const char *folder, const char *name)
-{
-    struct sink sink = text_buffer_sink(path);
-    sink_put(&sink, folder);
-    sink_put(&sink, "/");
-    sink_put(&sink, name);
-    return !path->failed;
-}
-
-/* ---- A lesson -------------------------------------------------------------- */
-
-static bool read_file(struct lesson *lesson, const char *folder, const char *name,
-                      c205_error *error)
-{
-    struct text_buffer path = { 0 };
-    c205_error reason;
-    size_t length;
-    char *text = join_path(&path, folder, name)
-                     ? text_file_read(path.text, FILE_LARGEST, &length, &reason)
-                     : NULL;
-    bool good = text ? lesson_take(lesson, name, text, length, error)
-                     : error_set(error, "%.160s: %.80s", path.failed ? name : path.text,
-                                 path.failed ? "out of memory" : reason.message);
-    text_buffer_free(&path);
-    free(text);
-    return good;
-}
-
-/* Starts a lesson. Its name is the last component of the path: "b" for "a/b/". */
-static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *error)
-{
-    struct text_line name = { 0 };
-    struct sink sink = text_line_sink(&name);
-    size_t end = strlen(path), begin;
-    while (end > 1 && path[end - 1] == '/')
-        end--;
-    for (begin = end; begin > 0 && path[begin - 1] != '/';)
-        begin--;
-    sink_print(&sink, "%.*s", (int)(end - begin), path + begin);
-    return lesson_begin(lesson, name.text, error);
-}
-
-/* Checks all tests, so an error in a lesson is reported before the first answer is
- * graded. */
-static bool check_tests(const struct lesson *lesson, c205_error *error)
-{
-    bool good = true;
-    for (size_t i = 0; good && i < lesson->test_count; i++) {
-        struct object *test = lesson_assemble_test(&lesson->tests[i], error);
-        good = test;
-        object_free(test);
-    }
-    return good;
-}
-
-bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error)
-{
-    struct folder folder;
-    c205_error reason;
-    bool good = folder_read(&folder, path, &reason)
-                    ? begin_lesson(lesson, path, error)
-                    : error_set(error, "%.160s: %.80s", path, reason.message);
-    for (size_t i = 0; good && i < folder.count; i++) {
-        const char *name = folder.names[i];
-        if (file_ends_with(name, ".s") || file_ends_with(name, ".md"))
-            good = read_file(lesson, path, name, error);
-    }
-    folder_free(&folder);
-    return good && lesson_end(lesson, error) && check_tests(lesson, error);
-}
-
 /* ---- Answers --------------------------------------------------------------- */
+
+/* The code of an answer that was graded. */
+struct known_code {
+    const struct lesson *lesson;
+    const char *path;
+    uint64_t hash;
+};
 
 /* The answers of a class, and the table of their results. */
 struct handed_in {
     const struct check_command *check;
     struct table *table;
+    struct feedback feedback;
+    size_t code_count, code_capacity;
+    struct known_code *codes;
+    struct arena kept;
     struct progress progress;
     size_t refused;
     bool failed; /* memory is exhausted */
 };
+
+/* Sets the modification time of a file, or "" if it is unknown. */
+static void set_date(struct hand_in *hand_in, const char *path)
+{
+    struct stat status;
+    struct tm *time = stat(path, &status) == 0 ? gmtime(&status.st_mtime) : NULL;
+    if (!time
+        || strftime(hand_in->date, sizeof hand_in->date, "%Y-%m-%d %H:%M", time) == 0)
+        *hand_in->date = '\0';
+}
 
 /* Reports the first test that failed. If all tests passed, reports the first test that
  * has a report. */
@@ -111,35 +63,97 @@ static void join_first(struct text_buffer *report, const struct lesson_verdict *
     check_join(report, &verdict->report);
 }
 
-static void add_row(struct handed_in *all, const char *student,
-                    const struct lesson_verdict *verdict)
+static void add_first(struct handed_in *all, const struct lesson_verdict *verdict)
 {
     struct text_buffer report = { 0 };
     join_first(&report, verdict);
-    table_text(all->table, student);
+    table_text(all->table, report.text ? report.text : "");
+    all->failed = all->failed || report.failed;
+    text_buffer_free(&report);
+}
+
+static void add_remarks(struct handed_in *all, const struct lesson_report *remarks)
+{
+    struct text_buffer text = { 0 };
+    check_join(&text, remarks);
+    table_text(all->table, text.text ? text.text : "");
+    all->failed = all->failed || text.failed;
+    text_buffer_free(&text);
+}
+
+/* Remarks that an earlier answer to the same lesson has the same code, or keeps the
+ * code. */
+static void compare_code(struct handed_in *all, struct lesson_verdict *verdict,
+                         const char *path)
+{
+    struct known_code code = { verdict->lesson, NULL, verdict->code };
+    size_t i = 0;
+    if (code.hash == 0)
+        return;
+    while (i < all->code_count
+           && (all->codes[i].lesson != code.lesson || all->codes[i].hash != code.hash))
+        i++;
+    if (i < all->code_count) {
+        lesson_remark_same_code(verdict, all->codes[i].path);
+        return;
+    }
+    code.path = arena_text(&all->kept, path, strlen(path));
+    arena_add(&all->kept, &all->codes, &all->code_count, &all->code_capacity, &code,
+              sizeof code);
+    all->failed = all->failed || all->kept.failed;
+}
+
+static void add_count(struct handed_in *all, uint64_t count, bool known)
+{
+    if (known)
+        table_count(all->table, count);
+    else
+        table_gap(all->table);
+}
+
+static void add_row(struct handed_in *all, const struct hand_in *hand_in)
+{
+    const struct lesson_verdict *verdict = hand_in->verdict;
+    bool known = verdict->of_count > 0;
+    table_text(all->table, hand_in->student);
     if (verdict->lesson)
         table_text(all->table, verdict->lesson->name);
     else
         table_gap(all->table);
     table_text(all->table, verdict->passed ? "yes" : "no");
     table_text(all->table, medal_name(verdict->medal));
-    if (verdict->clocks > 0)
-        table_count(all->table, verdict->clocks);
-    else
-        table_gap(all->table);
-    table_text(all->table, report.text ? report.text : "");
-    all->failed = all->failed || report.failed;
-    text_buffer_free(&report);
+    add_count(all, verdict->clocks, verdict->clocks > 0);
+    add_count(all, verdict->right_count, known);
+    add_count(all, verdict->of_count, known);
+    add_count(all, verdict->points, known);
+    table_text(all->table, hand_in->date);
+    add_remarks(all, &verdict->remarks);
+    add_first(all, verdict);
 }
 
-static void add(struct handed_in *all, const char *student,
-                const struct lesson_verdict *verdict)
+/* Returns the part of a path after the folder of the class. */
+static const char *path_within(const char *folder, const char *path)
+{
+    size_t length = strlen(folder);
+    return strlen(path) > length ? path + length + 1 : path;
+}
+
+static void add(struct handed_in *all, const char *student, const char *path,
+                struct lesson_verdict *verdict)
 {
     struct json *json = all->check->results.json;
-    add_row(all, student, verdict);
+    struct hand_in hand_in = { .student = student,
+                               .path = path_within(all->check->args->folder, path),
+                               .verdict = verdict };
+    set_date(&hand_in, path);
+    compare_code(all, verdict, hand_in.path);
+    add_row(all, &hand_in);
+    if (all->check->args->feedback)
+        feedback_add(&all->feedback, &hand_in);
     if (json) {
         json_object(json, NULL);
         json_text(json, "student", student);
+        json_text(json, "date", hand_in.date);
         lesson_verdict_json(verdict, json);
         json_end(json);
     }
@@ -153,7 +167,7 @@ static void refuse(struct handed_in *all, const char *student,
     progress_hide(&all->progress);
     cmd_failed(all->check->args->shared.command, "%s: not graded: %s", path, reason);
     lesson_refuse(&verdict, lesson, path, reason);
-    add(all, student, &verdict);
+    add(all, student, path, &verdict);
     all->refused++;
     all->failed = all->failed || verdict.kept.failed;
     lesson_verdict_free(&verdict);
@@ -175,7 +189,7 @@ static void grade(struct handed_in *all, const char *student,
     } else if (!check_grade(all->check, lesson, path, &verdict, &error)) {
         refuse(all, student, lesson, path, error.message);
     } else {
-        add(all, student, &verdict);
+        add(all, student, path, &verdict);
     }
     lesson_verdict_free(&verdict);
 }
@@ -196,7 +210,7 @@ static void take_folder(struct handed_in *all, const char *student, const char *
         refuse(all, student, all->check->lesson, path, error.message);
     for (size_t i = 0; i < folder.count && !interrupt_pending(); i++) {
         struct text_buffer inner = { 0 };
-        if (join_path(&inner, path, folder.names[i]))
+        if (check_join_path(&inner, path, folder.names[i]))
             take(all, student, folder.names[i], inner.text);
         all->failed = all->failed || inner.failed;
         text_buffer_free(&inner);
@@ -288,9 +302,17 @@ static void take_entry(struct handed_in *all, const char *nobody, const char *na
 static struct table *new_table(void)
 {
     static const struct table_column columns[] = {
-        { "student", "student", TABLE_TEXT, 0 }, { "lesson", "lesson", TABLE_TEXT, 0 },
-        { "passed", "passed", TABLE_TEXT, 0 },   { "medal", "medal", TABLE_TEXT, 0 },
-        { "clocks", "clocks", TABLE_COUNT, 0 },  { "report", "report", TABLE_TEXT, 0 },
+        { "student", "student", TABLE_TEXT, 0 },
+        { "lesson", "lesson", TABLE_TEXT, 0 },
+        { "passed", "passed", TABLE_TEXT, 0 },
+        { "medal", "medal", TABLE_TEXT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "right", "right", TABLE_COUNT, 0 },
+        { "tests", "tests", TABLE_COUNT, 0 },
+        { "points", "points", TABLE_COUNT, 0 },
+        { "date", "date", TABLE_TEXT, 0 },
+        { "remarks", "remarks", TABLE_TEXT, 0 },
+        { "report", "report", TABLE_TEXT, 0 },
     };
     return table_new(TABLE_COLUMNS(columns));
 }
@@ -299,6 +321,7 @@ static int take_class(struct handed_in *all)
 {
     const struct check_arguments *args = all->check->args;
     const struct command_output *results = &all->check->results;
+    c205_error error;
     if (results->json)
         json_array(results->json, "hand_ins");
     interrupt_catch();
@@ -309,6 +332,8 @@ static int take_class(struct handed_in *all)
         json_end(results->json);
     if (interrupt_pending())
         return cmd_failed(args->shared.command, "interrupted");
+    if (args->feedback && !feedback_write(&all->feedback, args->feedback, &error))
+        return cmd_failed(args->shared.command, "%s", error.message);
     return !all->failed
                    && (!results->file
                        || table_write(all->table, output_table_format(results),
@@ -325,8 +350,13 @@ int check_folder(const struct check_command *check, bool *all_graded)
                : !folder_is(args->folder)
                    ? cmd_failed(args->shared.command, "%s is not a folder",
                                 args->folder)
+               : args->feedback && !folder_is(args->feedback)
+                   ? cmd_failed(args->shared.command, "%s is not a folder",
+                                args->feedback)
                    : take_class(&all);
     table_free(all.table);
+    feedback_free(&all.feedback);
+    arena_free(&all.kept);
     *all_graded = all.refused == 0;
     return code;
 }

@@ -156,6 +156,23 @@ int check_show(const struct check_command *check)
     return show_tests(check);
 }
 
+int check_fresh(const struct check_command *check)
+{
+    const struct command_output *results = &check->results;
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    c205_error error = { "out of memory" };
+    bool good = lesson_fresh_put(check->lesson, check->args->seed, &sink, &error)
+                && !text.failed;
+    if (good && results->file)
+        fputs(text.text, results->file);
+    if (good && results->json)
+        json_text(results->json, "text", text.text);
+    text_buffer_free(&text);
+    return good ? CMD_DONE
+                : cmd_failed(check->args->shared.command, "%s", error.message);
+}
+
 int check_start(const struct check_command *check)
 {
     const char *command = check->args->shared.command;

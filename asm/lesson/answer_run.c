@@ -170,8 +170,10 @@ static bool check_stop(struct answer_run *run, const c205_stop *stop)
 /* Runs the answer, and reports an end other than that which the test expects. */
 static bool execute(struct answer_run *run)
 {
-    uint64_t limit = patience_least
-                     + TIME_LIMIT_FACTOR * run->test->notes->goals[MEDAL_BRONZE];
+    uint64_t limit = run->limit ? run->limit
+                                : patience_least
+                                      + TIME_LIMIT_FACTOR
+                                            * run->test->notes->goals[MEDAL_BRONZE];
     run->stop = c205_run(run->machine, limit);
     run->clocks = c205_clock(run->machine);
     if (run->stop.trap == C205_TRAP_NO_MEMORY || run->printed.failed)
@@ -195,7 +197,11 @@ bool answer_run(struct answer_run *run)
                                            .report = run->report,
                                            .general = run->general,
                                            .kept = run->kept };
-    return !test_data_begin(&run->data) || execute(run);
+    if (!test_data_begin(&run->data))
+        return true;
+    if (run->spoilt)
+        test_data_spoil(&run->data, run->spoilt);
+    return execute(run);
 }
 
 void answer_run_free(struct answer_run *run)

@@ -13,7 +13,9 @@ bool lesson_has_fresh(const struct lesson *lesson, c205_error *error)
                           : !lesson->solution ? "solution.s"
                                               : NULL;
     return !missing
-           || error_set(error, "%.80s has no %s, which fresh tests need",
+           || error_set(error,
+                        "%.80s has no %s, which fresh tests need (--no-fresh grades "
+                        "without them)",
                         lesson->folder, missing);
 }
 
@@ -116,14 +118,13 @@ join_tolerances(const struct lesson_tolerance *of_fresh,
 
 /* Sets the goals: those of the test, times the ratio of the solution's clocks. */
 static bool scale_goals(struct fresh_test *fresh, const struct lesson *lesson,
-                        const struct test_case *like, uint64_t fresh_clocks,
-                        c205_error *error)
+                        const struct test_case *like, c205_error *error)
 {
     uint64_t clocks;
     if (!run_solution(lesson, like, false, &clocks, error))
         return false;
     for (int medal = MEDAL_BRONZE; medal < MEDALS; medal++)
-        fresh->notes.goals[medal] = (like->notes->goals[medal] * fresh_clocks + clocks
+        fresh->notes.goals[medal] = (like->notes->goals[medal] * fresh->clocks + clocks
                                      - 1)
                                     / clocks;
     return true;
@@ -166,14 +167,12 @@ static bool make(struct fresh_test *fresh, const struct lesson *lesson,
     const struct asm_define *defines = make_defines(like ? model->object : NULL,
                                                     draw_constant(lesson, test, draw),
                                                     kept);
-    uint64_t clocks;
     if (!defines || !set_notes(fresh, lesson, test, kept))
         return error_set(error, "out of memory");
     return test_case_open(&fresh->test, &fresh->notes, defines, model->object, error)
            && check_labels(fresh->test.object, model->object, model->notes->file, error)
-           && run_solution(lesson, &fresh->test, true, &clocks, error)
-           && (!fresh->notes.has_goals
-               || scale_goals(fresh, lesson, model, clocks, error));
+           && run_solution(lesson, &fresh->test, true, &fresh->clocks, error)
+           && (!fresh->notes.has_goals || scale_goals(fresh, lesson, model, error));
 }
 
 bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,

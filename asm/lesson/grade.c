@@ -1,5 +1,6 @@
 /* grade.c - judges an answer by the tests of its lesson and by fresh tests, and builds
  * the verdict. */
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -77,6 +78,21 @@ static uint64_t draw_of(const char *text)
     return 1 + hash_text(HASH_BEGIN, text) % LESSON_DRAWS;
 }
 
+/* Reports how to see the inputs, and remarks that an answer is too fast to be true. */
+static void finish_fresh(struct lesson_verdict *verdict, struct lesson_trial *trial,
+                         uint64_t solution_clocks)
+{
+    if (!trial->right)
+        report_printf(&trial->report,
+                      "c205 check LESSON --fresh-seed %" PRIu64 " prints its data.",
+                      trial->draw);
+    if (trial->test->has_goals && trial->clocks > 0
+        && trial->clocks < solution_clocks / 2)
+        report_printf(&verdict->remarks,
+                      "It took %" PRIu64 " clocks in %s, and the solution %" PRIu64 ".",
+                      trial->clocks, trial->test->name, solution_clocks);
+}
+
 /* Tries a fresh test, which is `like` a test of the lesson or has other lengths. */
 static bool try_fresh(struct grading *grading, const struct lesson_test *like,
                       uint64_t draw)
@@ -92,8 +108,10 @@ static bool try_fresh(struct grading *grading, const struct lesson_test *like,
         *notes = fresh.notes;
         trial->test = notes;
         trial->draw = draw;
+        trial->like = like;
         verdict->count++;
         good = try_case(grading, trial, &fresh.test);
+        finish_fresh(verdict, trial, fresh.clocks);
     }
     fresh_close(&fresh);
     return good;
@@ -115,7 +133,39 @@ static bool try_draw(struct grading *grading, uint64_t draw)
 
 /* ---- All tests ------------------------------------------------------------- */
 
-static void conclude(struct lesson_verdict *verdict)
+/* Returns true if all fresh tests that are like a test are right. NULL: the fresh tests
+ * of other lengths, of which there is at least one. */
+static bool is_right_afresh(const struct lesson_verdict *verdict,
+                            const struct lesson_test *like)
+{
+    bool right = like, all = true;
+    for (size_t i = 0; i < verdict->count; i++) {
+        const struct lesson_trial *trial = &verdict->trials[i];
+        if (trial->draw > 0 && trial->like == like) {
+            right = true;
+            all = all && trial->right;
+        }
+    }
+    return right && all;
+}
+
+/* Gives points: 70 for the share of right tests, and 10 for each rank of the medal. A
+ * lesson without medals gives 100 for the share. */
+static void give_points(struct lesson_verdict *verdict, bool medals, bool fresh)
+{
+    enum { ALL = 100, RIGHT = 70, RANK = 10 };
+    size_t tests = verdict->lesson->test_count;
+    verdict->of_count = tests + fresh;
+    verdict->right_count = fresh && is_right_afresh(verdict, NULL);
+    for (size_t i = 0; i < tests; i++)
+        verdict->right_count += verdict->trials[i].right
+                                && is_right_afresh(verdict, &verdict->lesson->tests[i]);
+    verdict->points = (unsigned)((medals ? RIGHT : ALL) * verdict->right_count
+                                 / verdict->of_count)
+                      + RANK * verdict->medal;
+}
+
+static void conclude(struct lesson_verdict *verdict, bool fresh)
 {
     bool medals = false;
     verdict->passed = true;
@@ -133,6 +183,7 @@ static void conclude(struct lesson_verdict *verdict)
     }
     if (!medals || !verdict->passed)
         verdict->medal = MEDAL_NONE;
+    give_points(verdict, medals, fresh);
 }
 
 static bool grade_begin(struct grading *grading, const char *name)
@@ -145,6 +196,7 @@ static bool grade_begin(struct grading *grading, const char *name)
     verdict->answer = name;
     verdict->count = lesson->test_count;
     verdict->report.kept = &verdict->kept;
+    verdict->remarks.kept = &verdict->kept;
     if (fresh > 0 && !lesson_has_fresh(lesson, grading->error))
         return false;
     verdict->trials = arena_take(&verdict->kept, most * sizeof *verdict->trials);
@@ -171,12 +223,22 @@ void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
     report_buffer(&verdict->report, &text);
 }
 
+/* Returns true if the answer is right in all tests of the lesson. */
+static bool all_right(const struct lesson_verdict *verdict)
+{
+    size_t i = 0;
+    while (i < verdict->lesson->test_count && verdict->trials[i].right)
+        i++;
+    return i == verdict->lesson->test_count;
+}
+
 /* Runs the tests in order, then the fresh tests. Stops after a test with a report that
  * would be the same for all tests. */
 static bool try_tests(struct grading *grading)
 {
     struct lesson_verdict *verdict = grading->verdict;
     const struct lesson_report *general = &verdict->report;
+    bool fresh = grading->draws.count > 0;
     for (size_t i = 0; i < grading->lesson->test_count && general->count == 0; i++)
         if (!try_test(grading, &verdict->trials[i]))
             return false;
@@ -184,9 +246,12 @@ static bool try_tests(struct grading *grading)
         if (!try_draw(grading, grading->draws.first + i))
             return false;
     verdict->graded = general->count == 0;
-    if (verdict->graded)
-        conclude(verdict);
-    return true;
+    if (!verdict->graded)
+        return true;
+    conclude(verdict, fresh);
+    return !fresh || !all_right(verdict)
+           || lesson_find_unread(verdict, grading->text, grading->length,
+                                 grading->error);
 }
 
 /* Grades an answer. The warnings of the assembler are reported if the answer has not
@@ -215,6 +280,8 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                            SEVERITY_ERROR);
     else
         good = try_tests(&grading);
+    if (object && good && draws.count > 0)
+        lesson_compare_code(verdict, object);
     if (object && !verdict->passed && said.count > 0)
         report_diagnostics(&verdict->report, "The assembler warns:", &said,
                            SEVERITY_WARNING);

@@ -202,12 +202,12 @@ void lessons_free(struct lessons *lessons)
     free(lessons->items);
 }
 
-const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
-                                  c205_error *error)
+struct lesson *lessons_find(const struct lessons *lessons, const char *name,
+                            c205_error *error)
 {
     struct spelling nearest = { .word = name };
     for (size_t i = 0; i < lessons->count; i++) {
-        const struct lesson *lesson = &lessons->items[i];
+        struct lesson *lesson = &lessons->items[i];
         if (lesson_is_named(lesson, name))
             return lesson;
         spelling_try(&nearest, lesson->name);

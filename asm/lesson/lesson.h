@@ -16,7 +16,8 @@
  *
  * A test may also use the expectations of expect.h, for registers and output. The file
  * fresh.s is a test without expected data, from which the grader makes tests with new
- * inputs. docs/grading.md describes the rest. These functions neither print nor access files.
+ * inputs. docs/grading.md describes the rest. These functions neither print nor access
+ * files.
  */
 #ifndef ASM_LESSON_H
 #define ASM_LESSON_H
@@ -83,8 +84,8 @@ bool lessons_open(struct lessons *lessons, c205_error *error);
 void lessons_free(struct lessons *lessons);
 /* Returns the lesson with a name. Returns NULL if there is none; the error then
  * suggests a similar name. */
-const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
-                                  c205_error *error);
+struct lesson *lessons_find(const struct lessons *lessons, const char *name,
+                            c205_error *error);
 
 /* Assembles the text of a test. Returns NULL and sets the error on failure. */
 struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error);
@@ -108,11 +109,12 @@ struct lesson_report {
 /* The result of a test. */
 struct lesson_trial {
     const struct lesson_test *test;
-    uint64_t draw;    /* number of the draw of a fresh test; 0: a test of the lesson */
-    bool right;       /* all results are correct */
-    bool passed;      /* correct, and within the clocks for bronze */
-    uint64_t clocks;  /* 0: the answer did not run */
-    enum medal medal; /* MEDAL_NONE if the test has no goals */
+    uint64_t draw; /* number of the draw of a fresh test; 0: a test of the lesson */
+    const struct lesson_test *like; /* the test that the fresh test is like, or NULL */
+    bool right;                     /* all results are correct */
+    bool passed;                    /* correct, and within the clocks for bronze */
+    uint64_t clocks;                /* 0: the answer did not run */
+    enum medal medal;               /* MEDAL_NONE if the test has no goals */
     struct lesson_report report;
 };
 
@@ -126,6 +128,14 @@ struct lesson_verdict {
     size_t count;
     struct lesson_trial *trials; /* the tests of the lesson, then its fresh tests */
     struct lesson_report report; /* reports about more than one test */
+    /* A test of the lesson counts as right if its fresh tests are right, too. The fresh
+     * tests of other lengths count as one more test. */
+    size_t right_count, of_count;
+    unsigned points; /* of 100 */
+    /* With fresh tests: reasons to look at the answer, and a hash of its instructions.
+     * The hash is 0 if it is unknown or that of start.s. */
+    struct lesson_report remarks;
+    uint64_t code;
     struct arena kept;
 };
 
@@ -140,6 +150,10 @@ struct lesson_draws {
 /* Returns true if the lesson has fresh tests. */
 bool lesson_has_fresh(const struct lesson *lesson, c205_error *error);
 
+/* Writes the fresh tests of a draw as texts of tests. */
+bool lesson_fresh_put(const struct lesson *lesson, uint64_t draw,
+                      const struct sink *sink, c205_error *error);
+
 /* Grades an answer. The verdict must be zeroed, and must be freed in all cases. The
  * lesson and the name must outlive it. Returns false and sets the error if the lesson
  * is invalid or memory is exhausted. */
@@ -150,8 +164,11 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
  * reason is its report. lesson is NULL if it is unknown. */
 void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
                    const char *name, const char *reason);
+/* Adds the remark that another answer has the same code. */
+void lesson_remark_same_code(struct lesson_verdict *verdict, const char *other);
 void lesson_verdict_free(struct lesson_verdict *verdict);
 
+void lesson_report_put(const struct lesson_report *report, const struct sink *sink);
 void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink);
 /* Writes the verdict as members of the JSON object that is open. */
 void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json);

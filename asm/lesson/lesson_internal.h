@@ -35,10 +35,10 @@ struct test_case {
     c205 *data; /* machine with the data of the test */
 };
 
-/* Assembles a test, after the definition of constants (NULL: none). A fresh test is like
- * another test: the answer receives only the constants that both have, and the test runs
- * on the model of the other test unless it has its own. NULL: not a fresh test. Must be
- * closed in all cases. */
+/* Assembles a test, after the definition of constants (NULL: none). A fresh test is
+ * like another test: the answer receives only the constants that both have, and the
+ * test runs on the model of the other test unless it has its own. NULL: not a fresh
+ * test. Must be closed in all cases. */
 bool test_case_open(struct test_case *test, const struct lesson_test *notes,
                     const struct asm_define *defines, const struct object *like,
                     c205_error *error);
@@ -76,10 +76,19 @@ struct lesson_test_data {
     struct arena *kept;
 };
 
+/* Returns true if a test has data at want_LABEL; NULL: any label (test_source.c). */
+bool test_wants(const struct object *object, const char *label);
+/* Returns true if a symbol is the label of data. */
+bool test_holds_data(const struct asm_symbol *symbol);
+/* Reads the elements of an item from an address on, each left-aligned in a word. */
+void test_data_read(const c205 *machine, uint64_t at, const struct test_item *item,
+                    c205_word *words);
 /* Copies the inputs to the answer, lists the results to compare, and fills those that
  * the test does not set with LESSON_POISON. Returns false if
  * labels are missing, too small or of another type. Each such label has a report. */
 bool test_data_begin(struct lesson_test_data *test_data);
+/* Replaces the inputs at a label by LESSON_POISON. */
+void test_data_spoil(const struct lesson_test_data *test_data, const char *label);
 /* Compares the results after the run. Returns false with a report if a result is
  * wrong. */
 bool test_data_end(struct lesson_test_data *test_data);
@@ -94,6 +103,9 @@ struct answer_run {
     const char *name, *text;
     size_t length;
     const struct test_case *test;
+    const char
+        *spoilt;    /* label of an input that is replaced by LESSON_POISON, or NULL */
+    uint64_t limit; /* maximum clocks; 0: those of the test */
     struct lesson_report *report, *general; /* reports about this test, and about all
                                                tests */
     struct arena *kept;
@@ -125,16 +137,28 @@ enum { LESSON_DRAWS = 1000000 };
 struct fresh_test {
     struct lesson_test notes;
     struct test_case test;
+    uint64_t clocks; /* of the solution */
 };
 
 /* Makes the fresh test of a draw, with the constants of the test `like`, or with its
- * own if `like` is NULL. The expected data are the results of the solution. The goals are
- * those of `like`, times the ratio of the clocks of the solution. Must be closed in all
- * cases. */
+ * own if `like` is NULL. The expected data are the results of the solution. The goals
+ * are those of `like`, times the ratio of the clocks of the solution. Must be closed in
+ * all cases. */
 bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,
                 const struct lesson_test *like, uint64_t draw, struct arena *kept,
                 c205_error *error);
 void fresh_close(struct fresh_test *fresh);
+
+/* ---- remarks.c: properties of suspicious answers ------------------------------- */
+
+/* Sets the hash of the instructions of an answer, without the numbers of registers and
+ * the addresses of data. Adds a remark if it is that of the solution. */
+void lesson_compare_code(struct lesson_verdict *verdict, const struct object *object);
+/* Adds a remark for each input of the tests that the answer does not read: without the
+ * input its results are still right, and its clocks the same. The answer must be right
+ * in all tests. */
+bool lesson_find_unread(struct lesson_verdict *verdict, const char *text, size_t length,
+                        c205_error *error);
 
 /* ---- Reports ------------------------------------------------------------- */
 

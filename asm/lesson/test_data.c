@@ -43,8 +43,8 @@ static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word el
     c205_write(machine, at / 64 * 64, &word, 1);
 }
 
-static void get_elements(const c205 *machine, uint64_t at, const struct test_item *item,
-                         c205_word *words)
+void test_data_read(const c205 *machine, uint64_t at, const struct test_item *item,
+                    c205_word *words)
 {
     unsigned width = contents_width(item->contents);
     for (size_t i = 0; i < item->count; i++)
@@ -62,7 +62,7 @@ static void put_elements(const struct lesson_test_data *test_data,
 
 /* ---- Labels ---------------------------------------------------------------- */
 
-static bool holds_data(const struct asm_symbol *symbol)
+bool test_holds_data(const struct asm_symbol *symbol)
 {
     return symbol->is_label && symbol->contents != ASM_NOTHING
            && symbol->contents != ASM_CODE;
@@ -108,7 +108,7 @@ static void begin_wanted(struct lesson_test_data *test_data, struct test_item *i
     item->initial = arena_take(test_data->kept, size);
     item->actual = arena_take(test_data->kept, size);
     if (!test_data->kept->failed)
-        get_elements(test_data->data, item->expected_at, item, item->expected);
+        test_data_read(test_data->data, item->expected_at, item, item->expected);
 }
 
 /* Adds an item for the data at a label of the test: an input, or expected results.
@@ -145,15 +145,13 @@ static bool begin_label(struct lesson_test_data *test_data,
 static bool is_set(const struct lesson_test_data *test_data, const char *label)
 {
     const struct asm_symbol *symbol = object_symbol(test_data->test, label);
-    return symbol && holds_data(symbol);
+    return symbol && test_holds_data(symbol);
 }
 
-/* Fills the results that the test does not set. */
 static void poison_elements(const struct lesson_test_data *test_data,
-                            struct test_item *item)
+                            const struct test_item *item)
 {
     unsigned width = contents_width(item->contents);
-    item->poisoned = true;
     for (size_t i = 0; i < item->count; i++) {
         uint64_t at = item->actual_at + i * width;
         set_element(test_data->machine, at, width,
@@ -167,7 +165,8 @@ static void set_items(const struct lesson_test_data *test_data)
 {
     for (size_t i = 0; i < test_data->count; i++) {
         struct test_item *item = &test_data->items[i];
-        if (item->expected && !is_set(test_data, item->label))
+        item->poisoned = item->expected && !is_set(test_data, item->label);
+        if (item->poisoned)
             poison_elements(test_data, item);
     }
     for (size_t i = 0; i < test_data->count; i++)
@@ -184,16 +183,24 @@ bool test_data_begin(struct lesson_test_data *test_data)
     if (!test_data->items)
         return false;
     for (size_t i = 0; i < test->symbol_count; i++)
-        if (holds_data(&test->symbols[i]))
+        if (test_holds_data(&test->symbols[i]))
             good = begin_label(test_data, &test->symbols[i]) && good;
     if (!good || test_data->kept->failed)
         return false;
     set_items(test_data);
     for (size_t i = 0; i < test_data->count; i++)
         if (test_data->items[i].expected)
-            get_elements(test_data->machine, test_data->items[i].actual_at,
-                         &test_data->items[i], test_data->items[i].initial);
+            test_data_read(test_data->machine, test_data->items[i].actual_at,
+                           &test_data->items[i], test_data->items[i].initial);
     return true;
+}
+
+void test_data_spoil(const struct lesson_test_data *test_data, const char *label)
+{
+    for (size_t i = 0; i < test_data->count; i++)
+        if (!test_data->items[i].expected
+            && strcmp(test_data->items[i].label, label) == 0)
+            poison_elements(test_data, &test_data->items[i]);
 }
 
 /* Reports inputs for which the answer has no label, because this may explain wrong
@@ -202,7 +209,7 @@ static void print_missing(struct lesson_test_data *test_data)
 {
     for (size_t i = 0; i < test_data->test->symbol_count; i++) {
         const struct asm_symbol *symbol = &test_data->test->symbols[i];
-        if (holds_data(symbol) && !lesson_wanted(symbol->name)
+        if (test_holds_data(symbol) && !lesson_wanted(symbol->name)
             && !object_symbol(test_data->answer, symbol->name))
             report_printf(
                 test_data->report,
@@ -218,7 +225,7 @@ bool test_data_end(struct lesson_test_data *test_data)
         struct test_item *item = &test_data->items[i];
         if (!item->expected)
             continue;
-        get_elements(test_data->machine, item->actual_at, item, item->actual);
+        test_data_read(test_data->machine, item->actual_at, item, item->actual);
         good = mismatch_report(item, test_data->report) && good;
     }
     if (!good)

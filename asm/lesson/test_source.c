@@ -38,8 +38,7 @@ static bool check_expectations(const struct object *object, c205_error *error)
     return true;
 }
 
-/* Returns true if the test has data at want_LABEL. A NULL label means any label. */
-static bool is_wanted(const struct object *object, const char *label)
+bool test_wants(const struct object *object, const char *label)
 {
     size_t i = 0;
     while (i < object->symbol_count) {
@@ -72,9 +71,9 @@ static bool check_labels(const struct lesson_test *test, const struct object *ob
     const struct lesson_tolerance *tolerance = test->tolerances;
     if (!check_wanted(test, object, error))
         return false;
-    if (!is_wanted(object, NULL) && !expect_anything(object))
+    if (!test_wants(object, NULL) && !expect_anything(object))
         return error_set(error, "%.48s expects nothing", test->file);
-    while (tolerance && is_wanted(object, tolerance->label))
+    while (tolerance && test_wants(object, tolerance->label))
         tolerance = tolerance->next;
     return !tolerance
            || error_set(error,

@@ -55,7 +55,7 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
 /* ---- Text ---------------------------------------------------------------- */
 
 /* Prints each sentence with an indentation. Lines of a program are not wrapped. */
-static void put_report(const struct lesson_report *report, const struct sink *sink)
+void lesson_report_put(const struct lesson_report *report, const struct sink *sink)
 {
     enum { COLUMN = 4 };
     for (size_t i = 0; i < report->count; i++) {
@@ -85,7 +85,7 @@ static void put_trial(const struct lesson_trial *trial, const struct sink *sink)
                    plural(trial->clocks),
                    trial->medal ? medal_name(trial->medal) : "too slow");
     sink_print(sink, " (%s)\n", test->tries);
-    put_report(&trial->report, sink);
+    lesson_report_put(&trial->report, sink);
 }
 
 void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink)
@@ -94,17 +94,22 @@ void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink 
     if (verdict->graded)
         for (size_t i = 0; i < verdict->count; i++)
             put_trial(&verdict->trials[i], sink);
-    put_report(&verdict->report, sink);
-    sink_print(sink, "%s: %s%s%s\n", verdict->lesson->name,
+    lesson_report_put(&verdict->report, sink);
+    sink_print(sink, "%s: %s%s%s", verdict->lesson->name,
                verdict->passed ? "passed" : "not passed", medal ? ", " : "",
                medal_name(verdict->medal));
+    if (verdict->graded && !verdict->passed)
+        sink_print(sink, ", %zu of %zu tests right", verdict->right_count,
+                   verdict->of_count);
+    sink_put(sink, "\n");
 }
 
 /* ---- JSON ------------------------------------------------------------------ */
 
-static void write_report(const struct lesson_report *report, struct json *json)
+static void write_report(const char *key, const struct lesson_report *report,
+                         struct json *json)
 {
-    json_array(json, "report");
+    json_array(json, key);
     for (size_t i = 0; i < report->count; i++)
         json_text(json, NULL, report->sentences[i]);
     json_end(json);
@@ -129,7 +134,7 @@ static void write_trial(const struct lesson_trial *trial, struct json *json)
     json_count(json, "clocks", trial->clocks);
     json_text(json, "medal", medal_name(trial->medal));
     write_goals(trial->test, json);
-    write_report(&trial->report, json);
+    write_report("report", &trial->report, json);
     json_end(json);
 }
 
@@ -155,5 +160,9 @@ void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json
     for (size_t i = 0; i < verdict->count; i++)
         write_trial(&verdict->trials[i], json);
     json_end(json);
-    write_report(&verdict->report, json);
+    write_report("report", &verdict->report, json);
+    json_count(json, "right_tests", verdict->right_count);
+    json_count(json, "test_count", verdict->of_count);
+    json_count(json, "points", verdict->points);
+    write_report("remarks", &verdict->remarks, json);
 }

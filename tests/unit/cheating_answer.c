@@ -256,7 +256,8 @@ bool cheat_remove(const char *program, size_t i, const struct sink *sink)
         size_t length = strcspn(line, "\n"), kept = length;
         if (number == removed)
             kept = *line == ' ' ? 0 : strcspn(line, ":") + 1;
-        sink_print(sink, "%.*s\n", (int)kept, line);
+        sink->put(sink->context, line, kept);
+        sink_put(sink, "\n");
         line += length + (line[length] == '\n');
     }
     return true;

@@ -1,6 +1,6 @@
 /* test_cheating_answers.c - grades answers that contain the results of the public
- * tests, and solutions without one of their instructions. An answer that gets a medal although
- * it does not solve the exercise fails here. */
+ * tests, and solutions without one of their instructions. An answer that gets a medal
+ * although it does not solve the exercise fails here. */
 #include "tests/unit/cheating_answer.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
@@ -28,6 +28,35 @@ static void print_verdict(const struct lesson_verdict *verdict)
 
 /* ---- Copied results -------------------------------------------------------- */
 
+static bool is_remarked(const struct lesson_verdict *verdict, const char *text)
+{
+    for (size_t i = 0; i < verdict->remarks.count; i++)
+        if (strstr(verdict->remarks.sentences[i], text))
+            return true;
+    return false;
+}
+
+/* Copying takes few clocks, and reads no input unless it recognises the test. */
+static void check_remarks(const struct lesson *lesson, enum cheat cheat,
+                          const struct lesson_verdict *verdict)
+{
+    struct object *test = NON_NULL(lesson_assemble_test(lesson->tests, &failure));
+    bool constants = false, inputs = false;
+    for (size_t i = 0; i < test->symbol_count; i++) {
+        const struct asm_symbol *symbol = &test->symbols[i];
+        constants = constants || lesson_is_constant(symbol);
+        inputs = inputs
+                 || (symbol->is_label && !lesson_wanted(symbol->name)
+                     && !object_symbol(test, formatted("want_%s", symbol->name)));
+    }
+    object_free(test);
+    if (cheat == CHEAT_DATA)
+        assert_int_equal(verdict->remarks.count, 0);
+    else if (inputs && constants && cheat != CHEAT_LOOK_UP)
+        assert_true(is_remarked(verdict, "It does not read "));
+    assert_false(is_remarked(verdict, "The same code as solution.s."));
+}
+
 /* An answer that copies the results is right in all public tests, and in no fresh
  * test. */
 static void check_cheat(const struct lesson *lesson, enum cheat cheat)
@@ -44,6 +73,7 @@ static void check_cheat(const struct lesson *lesson, enum cheat cheat)
         print_verdict(&verdict);
         fail_msg("%s: cheat %d", lesson->name, (int)cheat);
     }
+    check_remarks(lesson, cheat, &verdict);
 }
 
 /* Fails if an instruction is missing and a single draw does not notice this. The answer
@@ -99,6 +129,41 @@ TEST(course)
     REQUIRE(lessons_open(&lessons, &failure));
     for (size_t i = 0; i < lessons.count; i++)
         check_lesson(&lessons.items[i]);
+}
+
+/* Copies a text, and replaces a word wherever it occurs. */
+static void replace(const char *text, const char *old, const char *new,
+                    const struct sink *sink)
+{
+    for (const char *at; (at = strstr(text, old)); text = at + strlen(old)) {
+        sink->put(sink->context, text, (size_t)(at - text));
+        sink_put(sink, new);
+    }
+    sink_put(sink, text);
+}
+
+/* The solution has the same code with other registers and comments. This is the only
+ * remark. */
+TEST(same_code)
+{
+    SCOPED_VALUE(lessons) lessons;
+    REQUIRE(lessons_open(&lessons, &failure));
+    for (size_t i = 0; i < lessons.count; i++) {
+        SCOPED_VALUE(text_buffer) text = { 0 };
+        SCOPED_VALUE(text_buffer) other = { 0 };
+        SCOPED_VALUE(lesson_verdict) verdict;
+        struct sink sink = text_buffer_sink(&text), again = text_buffer_sink(&other);
+        replace(lessons.items[i].solution, ".regs   r", ".regs   r1", &sink);
+        replace(text.text, ";", "; another comment", &again);
+        grade(&verdict, &lessons.items[i], 1, 0, other.text);
+        if (verdict.remarks.count != 1
+            || !is_remarked(&verdict, "The same code as solution.s.")
+            || verdict.points != 100) {
+            print_verdict(&verdict);
+            fail_msg("%s: %zu remarks, %u points", lessons.items[i].name,
+                     verdict.remarks.count, verdict.points);
+        }
+    }
 }
 
 /* ---- The lessons of a teacher ---------------------------------------------- */
