@@ -158,10 +158,9 @@ static uint64_t draw_constant(const struct lesson *lesson,
     return draw * TESTS + i;
 }
 
-/* Makes the fresh test from the opened test whose labels and constants it has. */
-static bool make(struct fresh_test *fresh, const struct lesson *lesson,
-                 const struct test_case *model, bool like, uint64_t draw,
-                 struct arena *kept, c205_error *error)
+bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,
+                const struct test_case *model, bool like, uint64_t draw,
+                struct arena *kept, c205_error *error)
 {
     const struct lesson_test *test = like ? model->notes : NULL;
     const struct asm_define *defines = make_defines(like ? model->object : NULL,
@@ -173,17 +172,6 @@ static bool make(struct fresh_test *fresh, const struct lesson *lesson,
            && check_labels(fresh->test.object, model->object, model->notes->file, error)
            && run_solution(lesson, &fresh->test, true, &fresh->clocks, error)
            && (!fresh->notes.has_goals || scale_goals(fresh, lesson, model, error));
-}
-
-bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,
-                const struct lesson_test *like, uint64_t draw, struct arena *kept,
-                c205_error *error)
-{
-    struct test_case model = { 0 };
-    bool good = test_case_open(&model, like ? like : lesson->tests, NULL, NULL, error)
-                && make(fresh, lesson, &model, like, draw, kept, error);
-    test_case_close(&model);
-    return good;
 }
 
 void fresh_close(struct fresh_test *fresh)

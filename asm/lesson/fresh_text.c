@@ -93,21 +93,31 @@ static bool put_test(const struct test_case *test, uint64_t draw,
     return good;
 }
 
+static bool put_fresh(const struct lesson *lesson, const struct test_case *model,
+                      bool like, uint64_t draw, const struct sink *sink,
+                      c205_error *error)
+{
+    struct arena kept = { 0 };
+    struct fresh_test fresh = { .test = { 0 } };
+    bool good = fresh_open(&fresh, lesson, model, like, draw, &kept, error)
+                && (put_test(&fresh.test, draw, sink)
+                    || error_set(error, "out of memory"));
+    fresh_close(&fresh);
+    arena_free(&kept);
+    return good;
+}
+
 bool lesson_fresh_put(const struct lesson *lesson, uint64_t draw,
                       const struct sink *sink, c205_error *error)
 {
     bool good = lesson_has_fresh(lesson, error);
     for (size_t i = 0; good && i <= lesson->test_count; i++) {
-        struct arena kept = { 0 };
-        struct fresh_test fresh = { .test = { 0 } };
-        const struct lesson_test *like = i < lesson->test_count ? &lesson->tests[i]
-                                                                : NULL;
+        struct test_case model = { 0 };
+        bool like = i < lesson->test_count;
         sink_put(sink, i > 0 ? "\n" : "");
-        good = fresh_open(&fresh, lesson, like, draw, &kept, error)
-               && (put_test(&fresh.test, draw, sink)
-                   || error_set(error, "out of memory"));
-        fresh_close(&fresh);
-        arena_free(&kept);
+        good = test_case_open(&model, &lesson->tests[like ? i : 0], NULL, NULL, error)
+               && put_fresh(lesson, &model, like, draw, sink, error);
+        test_case_close(&model);
     }
     return good;
 }

@@ -15,7 +15,8 @@ struct grading {
     struct lesson_draws draws;
     const char *text;
     size_t length;
-    c205_error *error; /* error of the lesson */
+    struct test_case *tests; /* the tests of the lesson that have begun */
+    c205_error *error;       /* error of the lesson */
 };
 
 /* ---- One test -------------------------------------------------------------- */
@@ -60,13 +61,11 @@ static bool try_case(struct grading *grading, struct lesson_trial *trial,
     return good;
 }
 
-static bool try_test(struct grading *grading, struct lesson_trial *trial)
+static bool try_test(struct grading *grading, size_t i)
 {
-    struct test_case test = { 0 };
-    bool good = test_case_open(&test, trial->test, NULL, NULL, grading->error)
-                && try_case(grading, trial, &test);
-    test_case_close(&test);
-    return good;
+    struct lesson_trial *trial = &grading->verdict->trials[i];
+    return test_case_open(&grading->tests[i], trial->test, NULL, NULL, grading->error)
+           && try_case(grading, trial, &grading->tests[i]);
 }
 
 /* ---- Fresh tests ----------------------------------------------------------- */
@@ -93,22 +92,21 @@ static void finish_fresh(struct lesson_verdict *verdict, struct lesson_trial *tr
                       trial->clocks, trial->test->name, solution_clocks);
 }
 
-/* Tries a fresh test, which is `like` a test of the lesson or has other lengths. */
-static bool try_fresh(struct grading *grading, const struct lesson_test *like,
-                      uint64_t draw)
+/* Tries a fresh test that is like test i of the lesson, or has other lengths. */
+static bool try_fresh(struct grading *grading, size_t i, bool like, uint64_t draw)
 {
     struct lesson_verdict *verdict = grading->verdict;
     struct lesson_trial *trial = &verdict->trials[verdict->count];
     struct lesson_test *notes = arena_take(&verdict->kept, sizeof *notes);
     struct fresh_test fresh = { .test = { 0 } };
-    bool good = notes ? fresh_open(&fresh, grading->lesson, like, draw, &verdict->kept,
-                                   grading->error)
+    bool good = notes ? fresh_open(&fresh, grading->lesson, &grading->tests[i], like,
+                                   draw, &verdict->kept, grading->error)
                       : error_set(grading->error, "out of memory");
     if (good) {
         *notes = fresh.notes;
         trial->test = notes;
         trial->draw = draw;
-        trial->like = like;
+        trial->like = like ? &grading->lesson->tests[i] : NULL;
         verdict->count++;
         good = try_case(grading, trial, &fresh.test);
         finish_fresh(verdict, trial, fresh.clocks);
@@ -125,10 +123,10 @@ static bool try_draw(struct grading *grading, uint64_t draw)
     bool good = true, right = true;
     for (size_t i = 0; good && i < lesson->test_count; i++)
         if (grading->verdict->trials[i].right)
-            good = try_fresh(grading, &lesson->tests[i], draw);
+            good = try_fresh(grading, i, true, draw);
         else
             right = false;
-    return good && (!right || try_fresh(grading, NULL, draw));
+    return good && (!right || try_fresh(grading, 0, false, draw));
 }
 
 /* ---- All tests ------------------------------------------------------------- */
@@ -200,7 +198,8 @@ static bool grade_begin(struct grading *grading, const char *name)
     if (fresh > 0 && !lesson_has_fresh(lesson, grading->error))
         return false;
     verdict->trials = arena_take(&verdict->kept, most * sizeof *verdict->trials);
-    if (!verdict->trials)
+    grading->tests = arena_take(&verdict->kept, most * sizeof *grading->tests);
+    if (verdict->kept.failed)
         return error_set(grading->error, "out of memory");
     for (size_t i = 0; i < most; i++) {
         verdict->trials[i].test = i < verdict->count ? &lesson->tests[i] : NULL;
@@ -240,7 +239,7 @@ static bool try_tests(struct grading *grading)
     const struct lesson_report *general = &verdict->report;
     bool fresh = grading->draws.count > 0;
     for (size_t i = 0; i < grading->lesson->test_count && general->count == 0; i++)
-        if (!try_test(grading, &verdict->trials[i]))
+        if (!try_test(grading, i))
             return false;
     for (size_t i = 0; i < grading->draws.count && general->count == 0; i++)
         if (!try_draw(grading, grading->draws.first + i))
@@ -250,8 +249,8 @@ static bool try_tests(struct grading *grading)
         return true;
     conclude(verdict, fresh);
     return !fresh || !all_right(verdict)
-           || lesson_find_unread(verdict, grading->text, grading->length,
-                                 grading->error);
+           || lesson_find_unread(verdict, grading->tests, grading->text,
+                                 grading->length, grading->error);
 }
 
 /* Grades an answer. The warnings of the assembler are reported if the answer has not
@@ -280,6 +279,8 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                            SEVERITY_ERROR);
     else
         good = try_tests(&grading);
+    for (size_t i = 0; i < lesson->test_count; i++)
+        test_case_close(&grading.tests[i]);
     if (object && good && draws.count > 0)
         lesson_compare_code(verdict, object);
     if (object && !verdict->passed && said.count > 0)

@@ -140,13 +140,13 @@ struct fresh_test {
     uint64_t clocks; /* of the solution */
 };
 
-/* Makes the fresh test of a draw, with the constants of the test `like`, or with its
- * own if `like` is NULL. The expected data are the results of the solution. The goals
- * are those of `like`, times the ratio of the clocks of the solution. Must be closed in
- * all cases. */
+/* Makes the fresh test of a draw. It is like the test of the lesson that is the model,
+ * with the same constants, or has its own constants. The expected data are the results
+ * of the solution. The goals are those of the model, times the ratio of the clocks of
+ * the solution. Must be closed in all cases. */
 bool fresh_open(struct fresh_test *fresh, const struct lesson *lesson,
-                const struct lesson_test *like, uint64_t draw, struct arena *kept,
-                c205_error *error);
+                const struct test_case *model, bool like, uint64_t draw,
+                struct arena *kept, c205_error *error);
 void fresh_close(struct fresh_test *fresh);
 
 /* ---- remarks.c: properties of suspicious answers ------------------------------- */
@@ -156,9 +156,9 @@ void fresh_close(struct fresh_test *fresh);
 void lesson_compare_code(struct lesson_verdict *verdict, const struct object *object);
 /* Adds a remark for each input of the tests that the answer does not read: without the
  * input its results are still right, and its clocks the same. The answer must be right
- * in all tests. */
-bool lesson_find_unread(struct lesson_verdict *verdict, const char *text, size_t length,
-                        c205_error *error);
+ * in all tests of the lesson, which are open. */
+bool lesson_find_unread(struct lesson_verdict *verdict, const struct test_case *tests,
+                        const char *text, size_t length, c205_error *error);
 
 /* ---- Reports ------------------------------------------------------------- */
 

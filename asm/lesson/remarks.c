@@ -148,19 +148,18 @@ static bool try_without(const struct unread_search *search,
 }
 
 /* Removes the inputs that the answer reads in a test. */
-static bool remove_read(struct unread_search *search, const struct lesson_trial *trial)
+static bool remove_read(struct unread_search *search, const struct lesson_trial *trial,
+                        const struct test_case *test)
 {
-    struct test_case test = { 0 };
-    bool good = test_case_open(&test, trial->test, NULL, NULL, search->error);
+    bool good = true;
     size_t kept = 0;
     for (size_t i = 0; good && i < search->count; i++) {
         bool read;
-        good = try_without(search, trial, &test, search->labels[i], &read);
+        good = try_without(search, trial, test, search->labels[i], &read);
         if (!read)
             search->labels[kept++] = search->labels[i];
     }
     search->count = kept;
-    test_case_close(&test);
     return good;
 }
 
@@ -177,18 +176,15 @@ static bool list_inputs(struct unread_search *search, const struct object *test)
     return search->labels || error_set(search->error, "out of memory");
 }
 
-bool lesson_find_unread(struct lesson_verdict *verdict, const char *text, size_t length,
-                        c205_error *error)
+bool lesson_find_unread(struct lesson_verdict *verdict, const struct test_case *tests,
+                        const char *text, size_t length, c205_error *error)
 {
     struct unread_search search = { verdict, text, length, 0, NULL, error };
-    const struct lesson *lesson = verdict->lesson;
-    struct object *test = lesson_assemble_test(&lesson->tests[0], error);
-    bool good = test && list_inputs(&search, test);
-    for (size_t i = 0; good && search.count > 0 && i < lesson->test_count; i++)
-        good = remove_read(&search, &verdict->trials[i]);
+    bool good = list_inputs(&search, tests[0].object);
+    for (size_t i = 0; good && search.count > 0 && i < verdict->lesson->test_count; i++)
+        good = remove_read(&search, &verdict->trials[i], &tests[i]);
     for (size_t i = 0; good && i < search.count; i++)
         report_printf(&verdict->remarks, "It does not read %s.", search.labels[i]);
     free(search.labels);
-    object_free(test);
     return good;
 }

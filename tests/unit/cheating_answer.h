@@ -5,11 +5,13 @@
 #include "asm/lesson/lesson.h"
 
 enum cheat {
-    CHEAT_DATA,    /* the expected data are the data of the results */
-    CHEAT_VECTOR,  /* VTOV copies the expected data */
-    CHEAT_SCALAR,  /* a loop copies the expected data */
-    CHEAT_LOOK_UP, /* copies the expected data if it recognises the first input, and
+    CHEAT_DATA,      /* the expected data are the data of the results */
+    CHEAT_VECTOR,    /* VTOV copies the expected data */
+    CHEAT_SCALAR,    /* a loop copies the expected data */
+    CHEAT_LOOK_UP,   /* copies the expected data if it recognises the first input, and
                       otherwise does nothing */
+    CHEAT_FALL_BACK, /* copies the expected data if it recognises the first input, and
+                        otherwise is right but too slow */
     CHEATS
 };
 

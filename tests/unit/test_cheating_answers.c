@@ -52,7 +52,7 @@ static void check_remarks(const struct lesson *lesson, enum cheat cheat,
     object_free(test);
     if (cheat == CHEAT_DATA)
         assert_int_equal(verdict->remarks.count, 0);
-    else if (inputs && constants && cheat != CHEAT_LOOK_UP)
+    else if (inputs && constants && cheat < CHEAT_LOOK_UP)
         assert_true(is_remarked(verdict, "It does not read "));
     assert_false(is_remarked(verdict, "The same code as solution.s."));
 }
@@ -188,7 +188,7 @@ static const char *solution_of(const struct teacher *teacher)
 {
     return formatted("        .include \"core.s\"\n"
                      "        .ifndef n\n        .equ    n, 5\n        .endif\n"
-                     "        .data\n%s%s        .code\n"
+                     "        .data\n%s        .align  64\n%s        .code\n"
                      "        .regs   r10, xs, ys, three\n"
                      "        load_constant three, 3.0\n"
                      "        descriptor xs, x, n\n        descriptor ys, y, n\n"
