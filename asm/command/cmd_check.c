@@ -31,9 +31,9 @@ bool check_grade(const struct check_command *check, const struct lesson *lesson,
 static struct table *trial_table(const struct lesson_verdict *verdict)
 {
     static const struct table_column columns[] = {
-        { "test", "test", TABLE_TEXT, 0 },     { "passed", "passed", TABLE_TEXT, 0 },
-        { "medal", "medal", TABLE_TEXT, 0 },   { "clocks", "clocks", TABLE_COUNT, 0 },
-        { "report", "report", TABLE_TEXT, 0 },
+        { "test", "test", TABLE_TEXT, 0 },   { "passed", "passed", TABLE_TEXT, 0 },
+        { "medal", "medal", TABLE_TEXT, 0 }, { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "draw", "draw", TABLE_COUNT, 0 },  { "report", "report", TABLE_TEXT, 0 },
     };
     struct table *table = table_new(TABLE_COLUMNS(columns));
     for (size_t i = 0; table && i < verdict->count; i++) {
@@ -45,6 +45,10 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
         table_text(table, trial->passed ? "yes" : "no");
         table_text(table, medal_name(trial->medal));
         table_count(table, trial->clocks);
+        if (trial->draw > 0)
+            table_count(table, trial->draw);
+        else
+            table_gap(table);
         table_text(table, report.text ? report.text : "");
         text_buffer_free(&report);
     }

@@ -40,7 +40,8 @@ bool check_read_tests(struct check_command *check, c205_error *error);
 
 /* ---- Answers ------------------------------------------------------------------- */
 
-/* Grades a file. The error does not contain its name. */
+/* Grades the answer in a file. The error message does not contain the name of the
+ * file. */
 bool check_grade(const struct check_command *check, const struct lesson *lesson,
                  const char *path, struct lesson_verdict *verdict, c205_error *error);
 /* Appends all sentences of a report to a buffer, as one line. */

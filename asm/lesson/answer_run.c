@@ -147,7 +147,7 @@ static void print_trap(struct answer_run *run, const c205_stop *stop)
     report_buffer(run->report, &text);
 }
 
-/* Reports a run that did not end with EXIT, and returns false. */
+/* Returns true if the run ended with EXIT. Otherwise reports why it stopped. */
 static bool check_stop(struct answer_run *run, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)

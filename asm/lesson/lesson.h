@@ -160,8 +160,8 @@ bool lesson_fresh_put(const struct lesson *lesson, uint64_t draw,
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   struct lesson_draws draws, const char *name, const char *text,
                   size_t length, c205_error *error);
-/* Sets the verdict of an answer that cannot be graded. It has not passed, and the
- * reason is its report. lesson is NULL if it is unknown. */
+/* Sets the verdict of an answer that cannot be graded: not passed, with the reason as
+ * its report. lesson is NULL if the lesson is unknown. */
 void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
                    const char *name, const char *reason);
 /* Adds the remark that another answer has the same code. */
