@@ -396,6 +396,10 @@ static bool grade_answer(FILE *out, c205_error *error)
     static const char test[] = "; test: one\n; goals: gold 1, silver 2, "
                                "bronze 90000\n        .equ    n, 1\n"
                                "x:      .word   2.0\nwant_y: .word 2.0\n";
+    static const char fresh[] = "; test: fresh\n"
+                                "        .ifdef  test_n\n        .equ    n, test_n\n"
+                                "        .endif\n"
+                                "x:      .word   draw * 2.0\nwant_y: .space 1\n";
     static const char answer[] = "        .data\nx:      .word   1.0\n"
                                  "y:      .word   0.0\n        .code\n"
                                  "        EX      r10, x\n"
@@ -410,9 +414,12 @@ static bool grade_answer(FILE *out, c205_error *error)
                 && lesson_take(&lesson, "lesson.md", "# A\n", 4, error)
                 && lesson_take(&lesson, "start.s", "", 0, error)
                 && lesson_take(&lesson, "test-a.s", test, strlen(test), error)
+                && lesson_take(&lesson, "fresh.s", fresh, strlen(fresh), error)
+                && lesson_take(&lesson, "solution.s", answer, strlen(answer), error)
                 && lesson_end(&lesson, error)
-                && lesson_grade(&verdict, &lesson, (struct lesson_draws){ 0 }, "my.s",
-                                answer, strlen(answer), error);
+                && lesson_grade(&verdict, &lesson,
+                                (struct lesson_draws){ thorough(), 1 }, "my.s", answer,
+                                strlen(answer), error);
     if (done && verdict.passed)
         lesson_verdict_put(&verdict, &sink);
     return done && (verdict.passed || no_memory(error));
