@@ -143,6 +143,7 @@ static bool set_notes(struct fresh_test *fresh, const struct lesson *lesson,
     fresh->notes.tries = "other inputs";
     fresh->notes.warm = like->warm;
     fresh->notes.has_goals = like->has_goals;
+    memcpy(fresh->notes.goals, like->goals, sizeof like->goals);
     fresh->notes.tolerances = join_tolerances(lesson->fresh.tolerances,
                                               like->tolerances, kept);
     return !kept->failed;
