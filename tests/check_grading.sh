@@ -182,7 +182,8 @@ mkdir empty
 check 0 --folder empty
 
 # Dates, remarks, points and the files for the students.
-mkdir -p marks/anna marks/ben marks/chloe marks/dora feedback
+mkdir -p marks/anna marks/ben marks/chloe marks/dora marks/emil feedback
+cp drawer/8-bad.s marks/emil/scale.s
 cp drawer/2-silver.s marks/anna/scale.s
 sed 's/xs/input/g; s/r10/r20/; s/;.*//' drawer/2-silver.s >marks/ben/1.s
 cp drawer/5-untouched.s marks/chloe/scale.s
@@ -194,6 +195,8 @@ expect "something is told of marks" [ ! -s err ]
 tells out '^anna,scale,yes,silver,30485,4,4,90,2027-03-01 09:30,,'
 tells out '^ben,scale,yes,silver,30485,4,4,90,.*,The same code as anna/scale\.s\.,'
 tells out '^chloe,scale,no,,,0,4,0,'
+tells out '^emil,scale,no,,,0,4,0,.*The answer cannot be assembled:'
+tells feedback/emil.txt 'error: .* did you mean MPYSH?$'
 tells marks.json '"points": 90'
 tells marks.json '"date": "2027-03-01 09:30"'
 tells marks.json '"The same code as'
@@ -201,7 +204,7 @@ tells feedback/anna.txt '^anna/scale.s, 2027-03-01 09:30$'
 tells feedback/anna.txt '^    It took 30485 clocks, 5485 more'
 tells feedback/anna.txt '^Tests: 4 of 4 right\.  Points: 90 of 100\.$'
 tells feedback/chloe.txt '^scale: not passed, 0 of 4 tests right$'
-expect "not a file each" [ "$(find feedback -type f | wc -l)" -eq 4 ]
+expect "not a file each" [ "$(find feedback -type f | wc -l)" -eq 5 ]
 check 1 --folder marks "$lesson" --feedback nowhere
 tells err '^c205 check: nowhere is not a folder$'
 

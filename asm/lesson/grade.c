@@ -153,7 +153,6 @@ static void give_points(struct lesson_verdict *verdict, bool medals, bool fresh)
 {
     enum { ALL = 100, RIGHT = 70, RANK = 10 };
     size_t tests = verdict->lesson->test_count;
-    verdict->of_count = tests + fresh;
     verdict->right_count = fresh && is_right_afresh(verdict, NULL);
     for (size_t i = 0; i < tests; i++)
         verdict->right_count += verdict->trials[i].right
@@ -193,6 +192,7 @@ static bool grade_begin(struct grading *grading, const char *name)
     verdict->lesson = lesson;
     verdict->answer = name;
     verdict->count = lesson->test_count;
+    verdict->of_count = lesson->test_count + (fresh > 0);
     verdict->report.kept = &verdict->kept;
     verdict->remarks.kept = &verdict->kept;
     if (fresh > 0 && !lesson_has_fresh(lesson, grading->error))
