@@ -1,4 +1,4 @@
-/* object_file.c - writes and loads object files; object_read.c parses them. */
+/* object_file.c - writes object files; object_read.c reads them. */
 #include "asm/object/object_file.h"
 
 #include <ctype.h>
@@ -10,7 +10,6 @@
 #include "asm/object/expectation.h"
 #include "base/atomic_file.h"
 #include "vm/error.h"
-#include "base/text_file.h"
 
 const char *expectation_name(enum expectation_kind kind)
 {
@@ -104,19 +103,6 @@ bool object_save(const struct object *object, const char *path, c205_error *erro
     sink = stream_sink(whole->file);
     object_write(object, &sink);
     return atomic_file_commit(whole, error);
-}
-
-struct object *object_load(const char *path, c205_error *error)
-{
-    size_t length;
-    c205_error reason;
-    char *text = text_file_read(path, FILE_LARGEST, &length, &reason);
-    struct object *object;
-    object = text ? object_read(text, length, &reason) : NULL;
-    if (!object)
-        error_set(error, "%.180s: %.70s", path, reason.message);
-    free(text);
-    return object;
 }
 
 /* Checks that a program has instructions. The entry of an empty program is the default

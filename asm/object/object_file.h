@@ -26,7 +26,6 @@
 
 /* Writes the whole file, or leaves the old file unchanged. */
 bool object_save(const struct object *object, const char *path, c205_error *error);
-struct object *object_load(const char *path, c205_error *error);
 
 void object_write(const struct object *object, const struct sink *sink);
 struct object *object_read(const char *text, size_t length, c205_error *error);
