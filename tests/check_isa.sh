@@ -19,6 +19,19 @@ grammar=docs/editors/vscode/c205.tmLanguage.json
 verdict $? "$grammar is not what the table says: make docs"
 head -n 20 "$work/diff"
 
+# The text and the page of an instruction have the same rules.
+rules='length|padding|control|specials|with ,H|note'
+# The list consists of names.
+# shellcheck disable=SC2046
+"$c205" isa $("$c205" isa --names) |
+    sed -nE "s/^  ($rules)  +(.{1,20}).*/\1: \2/p" >"$work/rules"
+sed -nE 's/ \|$//; s/\\\|/|/g
+    s/^\| short source/| padding/; s/^\| control vector/| control/
+    s/^\| special values/| specials/; s/^\| with .,H./| with ,H/
+    '"s/^\| ($rules) \| (.{1,20}).*/\1: \2/p" "$work/isa.md" | diff - "$work/rules" >"$work/diff"
+verdict $? "c205 isa MNEMONIC does not have the rules of the page"
+head -n 20 "$work/diff"
+
 "$c205" isa --names | tr '[:upper:]' '[:lower:]' | sort >"$work/rows"
 for example in "$examples"/*.s; do
     name=$(basename "$example" .s)
