@@ -157,7 +157,8 @@ static void check_kanata(const struct timeline *timeline)
 
 /* ---- Other cases ---------------------------------------------------------- */
 
-/* The texts contain one event and one closed box for each span. */
+/* The texts contain one event and one closed box for each span. Each row of a lane has
+ * a thread with the name of the lane. */
 static void check_texts(const struct timeline *timeline)
 {
     SCOPED_VALUE(arena) arena = { NULL, false };
@@ -175,6 +176,10 @@ static void check_texts(const struct timeline *timeline)
     assert_int_equal(count_of(svg.text, "a &lt; b &amp; c"), 1);
     assert_int_equal(count_of(events.text, "\"ph\":\"X\""), lanes.count);
     assert_int_equal(count_of(events.text, "{"), count_of(events.text, "}"));
+    for (int lane = 0; lane < LANES; lane++)
+        assert_int_equal(count_of(events.text, formatted("\"args\":{\"name\":\"%s\"}",
+                                                         lane_name((enum lane)lane))),
+                         lanes.rows[lane]);
 }
 
 /* ---- Tests ---------------------------------------------------------------- */
