@@ -199,6 +199,7 @@ static struct object *assembled(const char *text, c205_error *error)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
     struct object *made = assemble_text("test.s", text, NULL, &errors);
+    assert_int_equal(made == NULL, errors.errors > 0);
     if (!made)
         print_first(&errors, error);
     return made;
