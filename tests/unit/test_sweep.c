@@ -166,6 +166,7 @@ TEST(queue_report)
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     SCOPED_VALUE(sweep_report) report = { .part_count = 0 };
     double sum = 0;
+    size_t most = 0; /* the group of causes that increases most */
     run(&sweep_queue, &sweep);
     assert_int_equal(sweep.count, 14);
     assert_true(sweep_queue.report(&sweep, &report, &failure));
@@ -179,11 +180,18 @@ TEST(queue_report)
         assert_true(table_value(difference, i, 5)
                     == table_value(difference, i, 4) - best);
     }
-    for (size_t i = 0; i < SWEEP_GROUPS; i++)
-        sum += table_value(difference, i, 3);
+    for (size_t i = 0; i < SWEEP_GROUPS; i++) {
+        double more = table_value(difference, i, 3);
+        sum += more;
+        most = more > table_value(difference, most, 3) ? i : most;
+    }
     assert_true(fabs(sum - table_value(difference, SWEEP_GROUPS, 3)) < 1e-9);
     assert_true(table_value(difference, SWEEP_GROUPS, 3) >= 0);
     assert_non_null(strstr(report.lines[0], "Best: a queue of"));
+    assert_non_null(
+        strstr(report.lines[1], formatted("increase is %s (%+.2f)",
+                                          sweep_group_name((enum sweep_group)most),
+                                          table_value(difference, most, 3))));
 }
 
 /* ---- Pipes --------------------------------------------------------------- */
