@@ -257,6 +257,19 @@ TEST(bodies)
     }
 }
 
+/* Reading a field costs at least 16 bytes for each cell. */
+TEST(cost)
+{
+    enum { SIDE = 40 };
+    char field[20 + SIDE * SIDE] = "P5 40 40 255\n";
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    struct scene_options options = with_images;
+    options.reading_most = 16 * (SIDE - 1) * (SIDE - 1);
+    field_keep(field, strlen(field) + SIDE * SIDE);
+    assert_null(field_read("pgm", "", &options, &reports));
+    assert_non_null(strstr(reports.items->message, "too long to read"));
+}
+
 TEST(errors)
 {
     static const struct line_error errors[] = {
