@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "rt/shapes/flat_faces.h"
+
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(box, corner), NULL, 2, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
@@ -73,12 +75,32 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     return NULL;
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    const double(*corner)[3] = primitive->shape.box.corner;
+    for (int i = 0; i < 6; i++) {
+        int axis = i / 2, end = i % 2;
+        double normal[3] = { 0 }, point[3];
+        struct hull hull = { .count = 0 };
+        normal[axis] = end ? 1 : -1;
+        for (int k = 0; k < 4; k++) {
+            point[axis] = corner[end][axis];
+            point[(axis + 1) % 3] = corner[k & 1][(axis + 1) % 3];
+            point[(axis + 2) % 3] = corner[k >> 1][(axis + 2) % 3];
+            hull_point(&hull, primitive, point);
+        }
+        faces_add_hull(search, normal, point, true, &hull);
+    }
+    return false;
+}
+
 const struct shape shape_box = {
     .fields = fields,
     .finish = finish,
     .povray = "box",
     .bound = put_bound,
     .words = put_words,
+    .flat_faces = put_faces,
     .region = "box",
     .emit = emit,
     .kernels = { .kernel = "box", .normal = "normal_box", .segments = 1 },

@@ -6,6 +6,8 @@
 
 #include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
+#include "rt/shapes/flat_faces.h"
+#include "rt/shapes/quadric_face.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(cone, base), NULL, 0, NULL },
@@ -77,12 +79,30 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
                         primitive->shape.cone.open, emitter);
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    if (!primitive->shape.cone.open)
+        faces_add_disks(search, primitive->shape.cone.base,
+                        primitive->shape.cone.base_radius, primitive->shape.cone.cap,
+                        primitive->shape.cone.cap_radius);
+    return true;
+}
+
+static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
+{
+    quadric_of_cone(primitive, primitive->shape.cone.base,
+                    primitive->shape.cone.base_radius, primitive->shape.cone.cap,
+                    primitive->shape.cone.cap_radius, matrix);
+}
+
 const struct shape shape_cone = {
     .fields = fields,
     .finish = finish,
     .povray = "cone",
     .bound = put_bound,
     .words = put_words,
+    .flat_faces = put_faces,
+    .quadric = put_quadric,
     .region = "cone",
     .emit = emit,
     .kernels = { .kernel = "cone", .normal = "normal_cone", .segments = 1 },

@@ -4,6 +4,8 @@
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector3.h"
+#include "rt/shapes/flat_faces.h"
+#include "rt/shapes/quadric_face.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(cylinder, base), NULL, 0, NULL },
@@ -82,12 +84,30 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
                         primitive->shape.cylinder.open, emitter);
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    double radius = primitive->shape.cylinder.radius;
+    if (!primitive->shape.cylinder.open)
+        faces_add_disks(search, primitive->shape.cylinder.base, radius,
+                        primitive->shape.cylinder.cap, radius);
+    return true;
+}
+
+static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
+{
+    double radius = primitive->shape.cylinder.radius;
+    quadric_of_cone(primitive, primitive->shape.cylinder.base, radius,
+                    primitive->shape.cylinder.cap, radius, matrix);
+}
+
 const struct shape shape_cylinder = {
     .fields = fields,
     .finish = finish,
     .povray = "cylinder",
     .bound = put_bound,
     .words = put_words,
+    .flat_faces = put_faces,
+    .quadric = put_quadric,
     .region = "cylinder",
     .emit = emit,
     .kernels = { .kernel = "cylinder",

@@ -4,6 +4,7 @@
 
 #include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
+#include "rt/shapes/flat_faces.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(disc, center), NULL, 0, NULL },
@@ -61,6 +62,13 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     return NULL;
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    faces_add_ring(search, primitive->shape.disc.center, primitive->shape.disc.normal,
+                   primitive->shape.disc.radius, false);
+    return false;
+}
+
 const struct shape shape_disc = {
     .fields = fields,
     .finish = finish,
@@ -68,6 +76,7 @@ const struct shape shape_disc = {
     .bound = put_bound,
     .endless = true,
     .words = put_words,
+    .flat_faces = put_faces,
     .region = "disc",
     .emit = emit,
     .kernels = { .kernel = "disc",

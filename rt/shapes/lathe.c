@@ -1,6 +1,7 @@
 /* lathe.c - the descriptor of lathes: checks their arguments, computes their bounds and
  * the words of their records, and names their kernels. */
 #include "rt/scene/elementary.h"
+#include "rt/shapes/flat_faces.h"
 #include "rt/shapes/shape.h"
 
 #include <math.h>
@@ -365,6 +366,36 @@ static size_t put_table(const struct primitive *primitive,
     return ROW * closed.count;
 }
 
+/* Returns true if a lathe is solid above a level edge: the number of edges above the
+ * midpoint of the edge is odd. The axis closes the path. */
+static bool is_solid_above(const struct outline *path, size_t edge)
+{
+    double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
+    double height = path->points[edge][1];
+    bool solid = false;
+    for (size_t i = 0; i + 1 < path->count; i++) {
+        const double *a = path->points[i], *b = path->points[i + 1];
+        if (i != edge && (a[0] > radius) != (b[0] > radius)
+            && a[1] + (radius - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > height)
+            solid = !solid;
+    }
+    return solid;
+}
+
+/* Adds the level rings, which are perpendicular to the axis. */
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    const struct outline *path = &primitive->shape.lathe.path;
+    for (size_t i = 0; i + 1 < path->count; i++) {
+        const double *a = path->points[i], *b = path->points[i + 1];
+        const double center[3] = { 0, a[1], 0 };
+        const double axis[3] = { 0, is_solid_above(path, i) ? -1 : 1, 0 };
+        if (a[1] == b[1])
+            faces_add_ring(search, center, axis, fmax(a[0], b[0]), true);
+    }
+    return true;
+}
+
 const struct shape shape_lathe = {
     .fields = fields,
     .finish = finish,
@@ -373,6 +404,7 @@ const struct shape shape_lathe = {
     .words = put_words,
     .table = put_table,
     .segments = segments,
+    .flat_faces = put_faces,
     .region = "lathe",
     .symbol = "LATHES",
     .kernels = { .kernel = "lathe",

@@ -10,6 +10,7 @@
 #include "rt/scene/vector3.h"
 #include "rt/bvh/mesh_hierarchy.h"
 #include "rt/bvh/screen_bounds.h"
+#include "rt/shapes/flat_faces.h"
 
 /* There are no fields, because rt/scene/language/scene_mesh.c and mesh2.c parse the
  * arguments of meshes. */
@@ -531,6 +532,12 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     return NULL;
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    faces_add_triangles(search, &primitive->shape.mesh.triangles);
+    return false;
+}
+
 const struct shape shape_mesh = {
     .fields = fields,
     .finish = finish,
@@ -544,6 +551,7 @@ const struct shape shape_mesh = {
     .segments = segments,
     .crossings = crossings,
     .has_body = has_body,
+    .flat_faces = put_faces,
     .region = "mesh",
     .emit = emit,
     .kernels = { .kernel = "mesh",

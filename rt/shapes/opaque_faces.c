@@ -15,6 +15,7 @@
 #include "rt/scene/vector3.h"
 #include "rt/shapes/coincident.h"
 #include "rt/shapes/path.h"
+#include "rt/shapes/flat_faces.h"
 #include "rt/shapes/quadric_face.h"
 #include "rt/shapes/shape.h"
 
@@ -63,11 +64,8 @@ static double mix3(const double numbers[3])
 
 /* ---- Flat faces ---------------------------------------------------------- */
 
-/* Adds a flat face. The normal is in the primitive's own space, and its length is
- * arbitrary. If `outward` is true, it points out of the body; otherwise the side of the
- * body is unknown. `box` bounds the face. */
-static void add_flat(struct face_search *search, const double normal[3],
-                     const double point[3], bool outward, const struct bound *box)
+void faces_add_flat(struct face_search *search, const double normal[3],
+                    const double point[3], bool outward, const struct bound *box)
 {
     double way[3], at[3], length;
     struct face *face;
@@ -89,23 +87,22 @@ static void add_flat(struct face_search *search, const double normal[3],
     face->key = face->plane[3] + mix3(way);
 }
 
-/* Adds a flat face that contains `point`, and is bounded by the hull. */
-static void add_hull(struct face_search *search, const double normal[3],
-                     const double point[3], bool outward, const struct hull *hull)
+void faces_add_hull(struct face_search *search, const double normal[3],
+                    const double point[3], bool outward, const struct hull *hull)
 {
     struct bound box;
     bound_hull_box(hull, &box);
-    add_flat(search, normal, point, outward, &box);
+    faces_add_flat(search, normal, point, outward, &box);
 }
 
-static void add_ring(struct face_search *search, const double center[3],
-                     const double axis[3], double radius, bool outward)
+void faces_add_ring(struct face_search *search, const double center[3],
+                    const double axis[3], double radius, bool outward)
 {
     struct hull hull = { .count = 0 };
     if (!(radius > 0))
         return;
     hull_ring(&hull, search->primitive, center, axis, radius);
-    add_hull(search, axis, center, outward, &hull);
+    faces_add_hull(search, axis, center, outward, &hull);
 }
 
 static void add_triangle(struct face_search *search, const double (*corners)[3])
@@ -117,113 +114,36 @@ static void add_triangle(struct face_search *search, const double (*corners)[3])
     subtract3(corners[1], corners[0], u);
     subtract3(corners[2], corners[0], v);
     cross3(u, v, normal);
-    add_hull(search, normal, corners[0], false, &hull);
+    faces_add_hull(search, normal, corners[0], false, &hull);
 }
 
-static void add_plane(struct face_search *search)
-{
-    const double *normal = search->primitive->shape.plane.normal;
-    double point[3];
-    copy3(normal, point);
-    scale3(search->primitive->shape.plane.distance, point);
-    add_flat(search, normal, point, true, &bound_none);
-}
-
-static void add_box(struct face_search *search)
-{
-    const double(*corner)[3] = search->primitive->shape.box.corner;
-    for (int i = 0; i < 6; i++) {
-        int axis = i / 2, end = i % 2;
-        double normal[3] = { 0 }, point[3];
-        struct hull hull = { .count = 0 };
-        normal[axis] = end ? 1 : -1;
-        for (int k = 0; k < 4; k++) {
-            point[axis] = corner[end][axis];
-            point[(axis + 1) % 3] = corner[k & 1][(axis + 1) % 3];
-            point[(axis + 2) % 3] = corner[k >> 1][(axis + 2) % 3];
-            hull_point(&hull, search->primitive, point);
-        }
-        add_hull(search, normal, point, true, &hull);
-    }
-}
-
-static void add_disks(struct face_search *search, const double base[3],
-                      double base_radius, const double cap[3], double cap_radius)
+void faces_add_disks(struct face_search *search, const double base[3],
+                     double base_radius, const double cap[3], double cap_radius)
 {
     double up[3], down[3];
     subtract3(cap, base, up);
     subtract3(base, cap, down);
-    add_ring(search, base, down, base_radius, true);
-    add_ring(search, cap, up, cap_radius, true);
+    faces_add_ring(search, base, down, base_radius, true);
+    faces_add_ring(search, cap, up, cap_radius, true);
 }
 
-static void add_caps(struct face_search *search, const struct outline *path, double low,
-                     double high)
+void faces_add_caps(struct face_search *search, const struct outline *path, double low,
+                    double high)
 {
     const double up[3] = { 0, 1, 0 }, down[3] = { 0, -1, 0 };
     const double top[3] = { 0, high, 0 }, bottom[3] = { 0, low, 0 };
     struct bound box;
     path_bound(search->primitive, path, low, low, &box);
-    add_flat(search, down, bottom, true, &box);
+    faces_add_flat(search, down, bottom, true, &box);
     path_bound(search->primitive, path, high, high, &box);
-    add_flat(search, up, top, true, &box);
-}
-
-static void add_sides(struct face_search *search)
-{
-    const struct primitive *primitive = search->primitive;
-    double ends[2] = { primitive->shape.prism.low, primitive->shape.prism.high };
-    struct path_walk walk = { .path = &primitive->shape.prism.path, .apart = 1 };
-    while (path_next(&walk)) {
-        double normal[3] = { walk.from[1] - walk.to[1], 0, walk.to[0] - walk.from[0] };
-        struct hull hull = { .count = 0 };
-        double point[3];
-        for (int i = 0; i < 4; i++) {
-            const double *at = i & 1 ? walk.from : walk.to;
-            point[0] = at[0];
-            point[1] = ends[i >> 1];
-            point[2] = at[1];
-            hull_point(&hull, primitive, point);
-        }
-        add_hull(search, normal, point, false, &hull);
-    }
-}
-
-/* Returns true if a lathe is solid above a level edge: the number of edges above the
- * midpoint of the edge is odd. The axis closes the path. */
-static bool is_solid_above(const struct outline *path, size_t edge)
-{
-    double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
-    double height = path->points[edge][1];
-    bool solid = false;
-    for (size_t i = 0; i + 1 < path->count; i++) {
-        const double *a = path->points[i], *b = path->points[i + 1];
-        if (i != edge && (a[0] > radius) != (b[0] > radius)
-            && a[1] + (radius - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > height)
-            solid = !solid;
-    }
-    return solid;
-}
-
-/* Adds the level rings of a lathe, which are perpendicular to its axis, as flat
- * faces. */
-static void add_rings(struct face_search *search)
-{
-    const struct outline *path = &search->primitive->shape.lathe.path;
-    for (size_t i = 0; i + 1 < path->count; i++) {
-        const double *a = path->points[i], *b = path->points[i + 1];
-        const double center[3] = { 0, a[1], 0 };
-        const double axis[3] = { 0, is_solid_above(path, i) ? -1 : 1, 0 };
-        if (a[1] == b[1])
-            add_ring(search, center, axis, fmax(a[0], b[0]), true);
-    }
+    faces_add_flat(search, up, top, true, &box);
 }
 
 /* ---- All faces ----------------------------------------------------------- */
 
 static void add_curved(struct face_search *search)
 {
-    bool quadric = quadric_face_is_there(search->primitive);
+    bool quadric = shape_of(search->primitive)->quadric != NULL;
     struct face *face;
     struct bound box;
     bound_primitive(search->primitive, &box);
@@ -292,87 +212,18 @@ static void join_triangles(struct face_search *search, size_t first)
     search->list->count = kept;
 }
 
-static void add_mesh(struct face_search *search)
+void faces_add_triangles(struct face_search *search, const struct triangles *triangles)
 {
-    const struct triangles *triangles = &search->primitive->shape.mesh.triangles;
     size_t first = search->list->count;
     for (size_t i = 0; i < triangles->count && !search->list->failed; i++)
         add_triangle(search, (const double(*)[3])triangles->list[i].corners);
     join_triangles(search, first);
 }
 
-static void add_flats(struct face_search *search)
-{
-    const struct primitive *primitive = search->primitive;
-    switch (primitive->kind) {
-    case PRIMITIVE_PLANE: add_plane(search); break;
-    case PRIMITIVE_BOX: add_box(search); break;
-    case PRIMITIVE_DISC:
-        add_ring(search, primitive->shape.disc.center, primitive->shape.disc.normal,
-                 primitive->shape.disc.radius, false);
-        break;
-    case PRIMITIVE_CYLINDER:
-        if (!primitive->shape.cylinder.open)
-            add_disks(search, primitive->shape.cylinder.base,
-                      primitive->shape.cylinder.radius, primitive->shape.cylinder.cap,
-                      primitive->shape.cylinder.radius);
-        break;
-    case PRIMITIVE_CONE:
-        if (!primitive->shape.cone.open)
-            add_disks(search, primitive->shape.cone.base,
-                      primitive->shape.cone.base_radius, primitive->shape.cone.cap,
-                      primitive->shape.cone.cap_radius);
-        break;
-    default: break;
-    }
-}
-
-static void add_swept(struct face_search *search)
-{
-    const struct primitive *primitive = search->primitive;
-    switch (primitive->kind) {
-    case PRIMITIVE_PRISM:
-        if (!primitive->shape.prism.open)
-            add_caps(search, &primitive->shape.prism.path, primitive->shape.prism.low,
-                     primitive->shape.prism.high);
-        add_sides(search);
-        break;
-    case PRIMITIVE_QUADRATIC_PRISM:
-        if (!primitive->shape.quadratic_prism.open)
-            add_caps(search, &primitive->shape.quadratic_prism.path,
-                     primitive->shape.quadratic_prism.low,
-                     primitive->shape.quadratic_prism.high);
-        break;
-    case PRIMITIVE_LATHE: add_rings(search); break;
-    case PRIMITIVE_MESH: add_mesh(search); break;
-    default: break;
-    }
-}
-
-/* Returns true for a prism without height. Such a prism has no inside, so it cannot be
- * traced as a solid. */
-static bool is_flat_prism(const struct primitive *primitive)
-{
-    switch (primitive->kind) {
-    case PRIMITIVE_PRISM:
-        return primitive->shape.prism.low >= primitive->shape.prism.high;
-    case PRIMITIVE_QUADRATIC_PRISM:
-        return primitive->shape.quadratic_prism.low
-               >= primitive->shape.quadratic_prism.high;
-    default: return false;
-    }
-}
-
 static void add_faces(struct face_search *search)
 {
-    if (is_flat_prism(search->primitive))
-        return;
-    add_flats(search);
-    add_swept(search);
-    if (search->primitive->kind != PRIMITIVE_PLANE
-        && search->primitive->kind != PRIMITIVE_BOX
-        && search->primitive->kind != PRIMITIVE_DISC
-        && search->primitive->kind != PRIMITIVE_MESH)
+    const struct shape *shape = shape_of(search->primitive);
+    if (!shape->flat_faces || shape->flat_faces(search->primitive, search))
         add_curved(search);
 }
 

@@ -5,6 +5,7 @@
 #include "rt/scene/transform.h"
 #include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
+#include "rt/shapes/flat_faces.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(plane, normal), NULL, 0, NULL },
@@ -50,6 +51,16 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     return "a plane is infinite and cannot emit";
 }
 
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    const double *normal = primitive->shape.plane.normal;
+    double point[3];
+    copy3(normal, point);
+    scale3(primitive->shape.plane.distance, point);
+    faces_add_flat(search, normal, point, true, &bound_none);
+    return false;
+}
+
 const struct shape shape_plane = {
     .fields = fields,
     .finish = finish,
@@ -57,6 +68,7 @@ const struct shape shape_plane = {
     .bound = bound_without,
     .words = put_words,
     .carry = carry,
+    .flat_faces = put_faces,
     .region = "plane",
     .emit = emit,
     .kernels = { .kernel = "plane", .normal = "normal_plane", .segments = 1 },

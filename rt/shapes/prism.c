@@ -1,6 +1,7 @@
 /* prism.c - the descriptor of prisms with straight edges: checks their arguments,
  * computes their bounds and the words of their records, and names their kernels. */
 #include "rt/scene/elementary.h"
+#include "rt/shapes/flat_faces.h"
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"
 
@@ -174,6 +175,37 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.prism.open;
 }
 
+static void add_sides(const struct primitive *primitive, struct face_search *search)
+{
+    double ends[2] = { primitive->shape.prism.low, primitive->shape.prism.high };
+    struct path_walk walk = { .path = &primitive->shape.prism.path, .apart = 1 };
+    while (path_next(&walk)) {
+        double normal[3] = { walk.from[1] - walk.to[1], 0, walk.to[0] - walk.from[0] };
+        struct hull hull = { .count = 0 };
+        double point[3];
+        for (int i = 0; i < 4; i++) {
+            const double *at = i & 1 ? walk.from : walk.to;
+            point[0] = at[0];
+            point[1] = ends[i >> 1];
+            point[2] = at[1];
+            hull_point(&hull, primitive, point);
+        }
+        faces_add_hull(search, normal, point, false, &hull);
+    }
+}
+
+/* A prism without height has no inside, so it cannot be traced as a solid. */
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    double low = primitive->shape.prism.low, high = primitive->shape.prism.high;
+    if (low >= high)
+        return false;
+    if (!primitive->shape.prism.open)
+        faces_add_caps(search, &primitive->shape.prism.path, low, high);
+    add_sides(primitive, search);
+    return true;
+}
+
 const struct shape shape_prism = {
     .fields = fields,
     .finish = finish,
@@ -182,6 +214,7 @@ const struct shape shape_prism = {
     .words = put_words,
     .table = put_table,
     .segments = segments,
+    .flat_faces = put_faces,
     .region = "prism",
     .kernels = { .kernel = "prism",
                  .normal = "normal_prism",

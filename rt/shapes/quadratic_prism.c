@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "rt/scene/vector3.h"
+#include "rt/shapes/flat_faces.h"
 
 enum { MIN_POINTS = 5 };
 
@@ -335,6 +336,16 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.quadratic_prism.open;
 }
 
+/* A prism without height has no inside, so it cannot be traced as a solid. */
+static bool put_faces(const struct primitive *primitive, struct face_search *search)
+{
+    double low = primitive->shape.quadratic_prism.low;
+    double high = primitive->shape.quadratic_prism.high;
+    if (low < high && !primitive->shape.quadratic_prism.open)
+        faces_add_caps(search, &primitive->shape.quadratic_prism.path, low, high);
+    return low < high;
+}
+
 const struct shape shape_quadratic_prism = {
     .fields = fields,
     .finish = finish,
@@ -342,6 +353,7 @@ const struct shape shape_quadratic_prism = {
     .words = put_words,
     .table = put_table,
     .segments = segments,
+    .flat_faces = put_faces,
     .region = "quadratic_prism",
     .symbol = "QUADRATIC_PRISMS",
     .kernels = { .kernel = "quadratic_prism",

@@ -2,6 +2,7 @@
  * their records, and names their kernels. */
 #include "rt/shapes/shape.h"
 
+#include "rt/shapes/quadric_face.h"
 #include "rt/shapes/singular.h"
 #include "rt/shapes/terms.h"
 
@@ -48,12 +49,18 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 13;
 }
 
+static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
+{
+    quadric_of_terms(primitive, primitive->shape.quadric.coefficients, matrix);
+}
+
 const struct shape shape_quadric = {
     .fields = fields,
     .finish = finish,
     .povray = "quadric",
     .bound = bound_without,
     .words = put_words,
+    .quadric = put_quadric,
     .region = "quadric",
     .kernels = { .kernel = "quadric",
                  .normal = "normal_quadric",

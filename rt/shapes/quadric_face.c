@@ -5,6 +5,7 @@
 
 #include "rt/scene/vector3.h"
 #include "rt/shapes/coincident.h"
+#include "rt/shapes/shape.h"
 
 /* Rounding error, relative to the greatest element of a matrix. */
 #define ROUNDING 1e-12
@@ -19,14 +20,9 @@ static void add_product(double weight, const row a, const row b, row *sum)
             sum[i][j] += weight * (a[i] * b[j] + b[i] * a[j]) / 2;
 }
 
-/* Computes, in world space, the matrix of
- *
- *   |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base) . axis - square
- *
- * The axis has length 1. */
-static void round_matrix(const struct primitive *primitive, const double base[3],
-                         const double axis[3], double along, double rise, double square,
-                         row *matrix)
+void quadric_about_axis(const struct primitive *primitive, const double base[3],
+                        const double axis[3], double along, double rise, double square,
+                        row *matrix)
 {
     static const row one = { 0, 0, 0, 1 };
     row level = { 0 };
@@ -43,20 +39,21 @@ static void round_matrix(const struct primitive *primitive, const double base[3]
     add_product(-square, one, one, matrix);
 }
 
-static void cone_matrix(const struct primitive *primitive, const double base[3],
-                        double base_radius, const double cap[3], double cap_radius,
-                        row *matrix)
+void quadric_of_cone(const struct primitive *primitive, const double base[3],
+                     double base_radius, const double cap[3], double cap_radius,
+                     row *matrix)
 {
     double axis[3], length, slope;
     subtract3(cap, base, axis);
     length = length3(axis);
     scale3(1 / length, axis);
     slope = (cap_radius - base_radius) / length;
-    round_matrix(primitive, base, axis, 1 + slope * slope, base_radius * slope,
-                 base_radius * base_radius, matrix);
+    quadric_about_axis(primitive, base, axis, 1 + slope * slope, base_radius * slope,
+                       base_radius * base_radius, matrix);
 }
 
-static void quadric_matrix(const struct primitive *primitive, row *matrix)
+void quadric_of_terms(const struct primitive *primitive,
+                      const double terms[QUADRIC_TERMS], row *matrix)
 {
     enum { ONE = 3 };
     static const row one = { 0, 0, 0, 1 };
@@ -67,37 +64,16 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
     const double(*rows)[4] = (const double(*)[4])primitive->to_local.rows;
     for (int i = 0; i < QUADRIC_TERMS; i++) {
         int a = factors[i][0], b = factors[i][1];
-        add_product(primitive->shape.quadric.coefficients[i], a == ONE ? one : rows[a],
-                    b == ONE ? one : rows[b], matrix);
+        add_product(terms[i], a == ONE ? one : rows[a], b == ONE ? one : rows[b],
+                    matrix);
     }
 }
 
-/* Computes the matrix of a primitive's quadric face in world space. Returns false if it
- * has no such face. */
-static bool matrix_of(const struct primitive *primitive, row *matrix)
+static void matrix_of(const struct primitive *primitive, row *matrix)
 {
-    static const double up[3] = { 0, 1, 0 };
     for (int i = 0; i < 16; i++)
         matrix[i / 4][i % 4] = 0;
-    switch (primitive->kind) {
-    case PRIMITIVE_SPHERE:
-        round_matrix(primitive, primitive->shape.sphere.center, up, 0, 0,
-                     primitive->shape.sphere.radius * primitive->shape.sphere.radius,
-                     matrix);
-        return true;
-    case PRIMITIVE_CYLINDER:
-        cone_matrix(primitive, primitive->shape.cylinder.base,
-                    primitive->shape.cylinder.radius, primitive->shape.cylinder.cap,
-                    primitive->shape.cylinder.radius, matrix);
-        return true;
-    case PRIMITIVE_CONE:
-        cone_matrix(primitive, primitive->shape.cone.base,
-                    primitive->shape.cone.base_radius, primitive->shape.cone.cap,
-                    primitive->shape.cone.cap_radius, matrix);
-        return true;
-    case PRIMITIVE_QUADRIC: quadric_matrix(primitive, matrix); return true;
-    default: return false;
-    }
+    shape_of(primitive)->quadric(primitive, matrix);
 }
 
 /* Moves the origin to `at`, changes the unit of length to `unit`, and scales the matrix
@@ -118,12 +94,6 @@ static void move_matrix(row *matrix, const double at[3], double unit)
         size = fmax(size, fabs(moved[i / 4][i % 4]));
     for (int i = 0; i < 16; i++)
         matrix[i / 4][i % 4] = moved[i / 4][i % 4] / (size > 0 ? size : 1);
-}
-
-bool quadric_face_is_there(const struct primitive *primitive)
-{
-    row matrix[4];
-    return matrix_of(primitive, matrix);
 }
 
 double quadric_face_key(const struct primitive *primitive)

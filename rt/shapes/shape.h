@@ -76,6 +76,8 @@ struct shape_kernels {
 
 enum { MAX_SHAPE_WORDS = 16, MAX_PATH = 2000 };
 
+struct face_search;
+
 struct shape {
     /* A list that ends with TAKES_END. It is empty for a shape that has its own
      * parser. */
@@ -89,6 +91,14 @@ struct shape {
      * unbounded. */
     void (*bound)(const struct primitive *primitive, struct bound *bound);
     bool endless; /* the inside that trees use extends beyond the bound */
+
+    /* Adds the flat faces of the surface (flat_faces.h), which may coincide with faces
+     * of other shapes. Returns true if the surface also has curved faces. NULL: all
+     * faces are curved. */
+    bool (*flat_faces)(const struct primitive *primitive, struct face_search *search);
+    /* Adds the matrix of the quadric that contains the curved faces, in world space
+     * (quadric_face.h), to a matrix of zeros. NULL: there is no such quadric. */
+    void (*quadric)(const struct primitive *primitive, double (*matrix)[4]);
 
     /* Writes the words of P_SHAPE, in the order of rt/kernels/frame/records.s, and
      * returns their number. They are values that can be computed once, such as

@@ -3,6 +3,7 @@
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector3.h"
+#include "rt/shapes/quadric_face.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(sphere, center), NULL, 0, NULL },
@@ -77,6 +78,14 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
     return NULL;
 }
 
+static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
+{
+    static const double up[3] = { 0, 1, 0 };
+    double radius = primitive->shape.sphere.radius;
+    quadric_about_axis(primitive, primitive->shape.sphere.center, up, 0, 0,
+                       radius * radius, matrix);
+}
+
 const struct shape shape_sphere = {
     .fields = fields,
     .finish = finish,
@@ -84,6 +93,7 @@ const struct shape shape_sphere = {
     .bound = put_bound,
     .words = put_words,
     .carry = carry,
+    .quadric = put_quadric,
     .region = "sphere",
     .emit = emit,
     .kernels = { .kernel = "sphere", .normal = "normal_sphere", .segments = 1 },

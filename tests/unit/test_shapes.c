@@ -5,6 +5,7 @@
 
 #include "rt/layout/program.h"
 #include "rt/scene/transform.h"
+#include "rt/shapes/opaque_faces.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/unit/asm_helper.h"
@@ -81,11 +82,56 @@ static struct {
     size_t count, crossings, inside;
 } found[PRIMITIVE_KINDS];
 
-/* Tests lines through a primitive's bound, and points inside it. */
-static void look_through(const struct primitive *primitive)
+static bool is_on_quadric(const struct primitive *primitive, const double point[3])
 {
-    struct bound bound;
-    bound_primitive(primitive, &bound);
+    const double at[4] = { point[0], point[1], point[2], 1 };
+    double matrix[4][4] = { { 0 } }, sum = 0, size = 0;
+    shape_of(primitive)->quadric(primitive, matrix);
+    for (int i = 0; i < 16; i++) {
+        double term = at[i / 4] * matrix[i / 4][i % 4] * at[i % 4];
+        sum += term;
+        size += fabs(term);
+    }
+    return fabs(sum) <= 1e-9 * size;
+}
+
+static bool is_in_face(const struct face *face, const double point[3])
+{
+    double margin = 1e-7 * (1 + greatest(point));
+    for (int i = 0; i < 3; i++)
+        if (point[i] < face->low[i] - margin || point[i] > face->high[i] + margin)
+            return false;
+    return face->sort == FACE_FLAT
+               ? fabs(dot(face->plane, point) - face->plane[3]) <= margin
+           : face->sort == FACE_QUADRIC ? is_on_quadric(face->primitive, point)
+                                        : true;
+}
+
+/* Fails unless a crossing is in the bound and in one of the faces. */
+static void check_crossing(const struct primitive *primitive, const struct bound *bound,
+                           const struct face_list *faces, const struct ray *ray,
+                           double distance)
+{
+    const char *name = primitive_kind_name(primitive->kind);
+    double point[3];
+    bool there = faces->count == 0;
+    point_on(ray, distance, point);
+    transform_point(&primitive->to_world, point);
+    for (int i = 0; i < 3; i++)
+        FAIL_IF(point[i] < bound->low[i] || point[i] > bound->high[i],
+                "a %s has a crossing outside of its bound", name);
+    for (size_t i = 0; i < faces->count && !there; i++)
+        there = is_in_face(&faces->faces[i], point);
+    FAIL_IF(!there, "a %s has a crossing that is in none of its faces", name);
+}
+
+/* Tests lines through a primitive's bound, and points inside it. */
+static void look_through(const struct primitive *primitive,
+                         const struct face_list *faces)
+{
+    struct bound limit;
+    bound_primitive(primitive, &limit);
+    struct bound bound = limit;
     if (bound_is_none(&bound))
         bound = (struct bound){ .radius = 3 };
     for (int try = 0; try < 200; try++) {
@@ -98,7 +144,10 @@ static void look_through(const struct primitive *primitive)
         }
         transform_point(&primitive->to_local, point);
         copy(ray.origin, point);
-        found[primitive->kind].crossings += plain_crossings(primitive, &ray, crossings);
+        size_t count = plain_crossings(primitive, &ray, crossings);
+        for (size_t i = 0; i < count; i++)
+            check_crossing(primitive, &limit, faces, &ray, crossings[i].distance);
+        found[primitive->kind].crossings += count;
         found[primitive->kind].inside += plain_encloses(primitive, point);
     }
 }
@@ -108,9 +157,19 @@ static void look_at_scene(const char *path)
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = scene_read(path, &with_images, &reports);
     FAIL_IF(!scene, "%s is not read", path);
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        if (found[scene->primitives[i].kind].count++ < 20)
-            look_through(&scene->primitives[i]);
+    for (size_t i = 0; i < scene->region_count; i++) {
+        const struct region *region = &scene->regions[i];
+        struct face_list faces = { 0 };
+        if (region->primitive_count == 1)
+            opaque_faces_add(&faces, scene, i);
+        for (size_t k = 0; k < region->primitive_count; k++) {
+            const struct primitive
+                *primitive = &scene->primitives[region->first_primitive + k];
+            if (found[primitive->kind].count++ < 20)
+                look_through(primitive, &faces);
+        }
+        free(faces.faces);
+    }
 }
 
 TEST(scenes)
