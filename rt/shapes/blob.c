@@ -253,7 +253,7 @@ static size_t put_table(const struct primitive *primitive,
 const struct shape shape_blob = {
     .fields = fields,
     .finish = finish,
-    .povray = "blob",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -97,7 +97,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_box = {
     .fields = fields,
     .finish = finish,
-    .povray = "box",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .flat_faces = put_faces,

@@ -98,7 +98,7 @@ static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
 const struct shape shape_cone = {
     .fields = fields,
     .finish = finish,
-    .povray = "cone",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .flat_faces = put_faces,

@@ -103,7 +103,7 @@ static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
 const struct shape shape_cylinder = {
     .fields = fields,
     .finish = finish,
-    .povray = "cylinder",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .flat_faces = put_faces,

@@ -72,7 +72,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_disc = {
     .fields = fields,
     .finish = finish,
-    .povray = "disc",
+    .povray = true,
     .bound = put_bound,
     .endless = true,
     .words = put_words,

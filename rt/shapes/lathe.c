@@ -399,7 +399,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_lathe = {
     .fields = fields,
     .finish = finish,
-    .povray = "lathe",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -541,7 +541,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_mesh = {
     .fields = fields,
     .finish = finish,
-    .povray = "mesh",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -64,7 +64,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_plane = {
     .fields = fields,
     .finish = finish,
-    .povray = "plane",
+    .povray = true,
     .bound = bound_without,
     .words = put_words,
     .carry = carry,

@@ -209,7 +209,7 @@ static bool put_faces(const struct primitive *primitive, struct face_search *sea
 const struct shape shape_prism = {
     .fields = fields,
     .finish = finish,
-    .povray = "prism",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -57,7 +57,7 @@ static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
 const struct shape shape_quadric = {
     .fields = fields,
     .finish = finish,
-    .povray = "quadric",
+    .povray = true,
     .bound = bound_without,
     .words = put_words,
     .quadric = put_quadric,

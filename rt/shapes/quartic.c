@@ -69,7 +69,7 @@ static size_t put_table(const struct primitive *primitive,
 const struct shape shape_quartic = {
     .fields = fields,
     .finish = finish,
-    .povray = "quartic",
+    .povray = true,
     .bound = bound_without,
     .words = put_words,
     .table = put_table,

@@ -85,7 +85,7 @@ struct shape {
     /* Converts the arguments to the form that is traced. Returns NULL, an error
      * message, or the result of shape_empty if the shape is invisible. */
     const char *(*finish)(struct primitive *primitive);
-    const char *povray; /* name in POV-Ray; NULL: not in POV-Ray */
+    bool povray; /* POV-Ray has this keyword */
 
     /* Computes the bound in world space, or sets it to bound_none if the shape is
      * unbounded. */

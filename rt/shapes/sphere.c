@@ -89,7 +89,7 @@ static void put_quadric(const struct primitive *primitive, double (*matrix)[4])
 const struct shape shape_sphere = {
     .fields = fields,
     .finish = finish,
-    .povray = "sphere",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .carry = carry,

@@ -83,7 +83,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 const struct shape shape_torus = {
     .fields = fields,
     .finish = finish,
-    .povray = "torus",
+    .povray = true,
     .bound = put_bound,
     .words = put_words,
     .region = "torus",

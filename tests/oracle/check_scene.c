@@ -19,6 +19,7 @@
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
+#include "rt/shapes/shape_words.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/many_scenes.h"
@@ -56,11 +57,9 @@ static const struct exception {
     const char *scene;
     unsigned what;
 } exceptions[] = {
-    /* POV-Ray has no Steiner patches. */
+    /* POV-Ray shows meshes instead of Steiner patches. */
     { "scenes/car.pov", NO_POVRAY },
     { "scenes/steiner.pov", NO_POVRAY },
-    { "tests/scenes/patches.pov", NO_POVRAY },
-    { "tests/scenes/csg_patches.pov", NO_POVRAY },
     /* POV-Ray's picture has only one colour if an orthographic camera has a lens. */
     { "tests/scenes/lens_orthographic.pov", NO_POVRAY },
     { "tests/scenes/lens.pov", ROUGH_POVRAY },
@@ -79,15 +78,14 @@ static const struct exception {
     { "scenes/stage.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/mist.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/marbles.pov", NO_POVRAY | FEWER_PIXELS },
-    { "scenes/drops.pov", NO_POVRAY | NO_HISTORICAL | FEWER_PIXELS },
+    { "scenes/drops.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/shell.pov", FEWER_PIXELS },
     { "scenes/sails.pov", FEWER_PIXELS },
     { "scenes/vase.pov", FEWER_PIXELS },
     { "tests/scenes/areas.pov", ALL_PIXELS },
     { "tests/scenes/in_glass.pov", ALL_PIXELS },
-    /* In these scenes a cylinder's face is in a box's, or cylinders are in blobs. */
+    /* A cylinder's face is in a box's. */
     { "scenes/bearing.pov", NO_HISTORICAL },
-    { "tests/scenes/blobs.pov", NO_HISTORICAL },
 };
 
 static unsigned exceptions_of(const char *scene)
@@ -112,8 +110,9 @@ static void verdict(bool good, const char *path, const char *what)
 struct file {
     const char *path;
     unsigned exceptions;
-    unsigned turn;        /* 0 to 2, or ALL_TURNS */
-    bool patches, lens;   /* the scene has Steiner patches or cylinders; has a lens */
+    unsigned turn;   /* 0 to 2, or ALL_TURNS */
+    bool historical; /* the program of 1984 has a kernel for a shape of the scene */
+    bool lens;
     size_t width, height; /* size for which the scene was last read */
     struct scene *scene;
 };
@@ -135,6 +134,31 @@ static bool contains(const char *path, const char *word)
     if (file)
         fclose(file);
     return found;
+}
+
+/* Returns true if POV-Ray has all shapes of a scene, or the scene tests for the others
+ * by #ifdef. */
+static bool povray_has_shapes(const char *path)
+{
+    for (int kind = 0; kind < PRIMITIVE_KINDS; kind++) {
+        const char *name = primitive_kind_name((enum primitive_kind)kind);
+        char shape[80], test[80];
+        snprintf(shape, sizeof shape, "%s {", name);
+        snprintf(test, sizeof test, "(%s)", name);
+        if (!shapes[kind]->povray && contains(path, shape) && !contains(path, test))
+            return false;
+    }
+    return true;
+}
+
+/* Returns true if the program of 1984 has a kernel for a shape of the scene. */
+static bool has_historical_shape(const struct scene *scene)
+{
+    struct shape_words words;
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (shape_words_historical(&scene->primitives[i], &words))
+            return true;
+    return false;
 }
 
 /* Reads the scene for a picture size. The default camera depends on the size. */
@@ -279,7 +303,7 @@ static bool same_as_povray(const struct file *file, const struct frame *plain,
 
 static bool has_historical(const struct file *file)
 {
-    return file->patches && !(file->exceptions & NO_HISTORICAL);
+    return file->historical && !(file->exceptions & NO_HISTORICAL);
 }
 
 static bool compare(struct file *file, const struct frame *plain, const bool *inner)
@@ -330,13 +354,15 @@ static void check_file(const char *path, bool all)
                          .turn = all ? ALL_TURNS : turn_of(path),
                          .lens = contains(path, "aperture") };
     size_t width = length_of(large ? 36 : 50), height = length_of(large ? 27 : 38);
-    file.patches = contains(path, "cylinder") || contains(path, "steiner");
+    if (!povray_has_shapes(path))
+        file.exceptions |= NO_POVRAY;
     printf("%s\n", path);
     const struct trace_options scalar = { .width = width, .height = height };
     if (!scene_at(&file, width, height)) {
         verdict(false, path, "the scene cannot be read");
         return;
     }
+    file.historical = has_historical_shape(file.scene);
     check_ways(&file, scalar, ways, WAYS);
     if (has_historical(&file))
         check_modes(&file, file.turn,

@@ -23,8 +23,6 @@ TEST(descriptors)
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
             || !shape->finish || !shape->bound || !shape->words || !shape->region)
             fail_msg("the descriptor of %s has a gap", name);
-        if (shape->povray)
-            assert_string_equal(shape->povray, name);
         for (size_t k = 0; k < i; k++)
             assert_ptr_not_equal(shape, shapes[k]);
     }
