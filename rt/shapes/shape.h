@@ -100,8 +100,8 @@ struct shape {
      * (quadric_face.h), to a matrix of zeros. NULL: there is no such quadric. */
     void (*quadric)(const struct primitive *primitive, double (*matrix)[4]);
 
-    /* Writes the words of P_SHAPE, in the order of rt/kernels/frame/records.s, and
-     * returns their number. They are values that can be computed once, such as
+    /* Writes the words of P_SHAPE, in the order that rt/kernels/shapes/name.s states,
+     * and returns their number. They are values that can be computed once, such as
      * reciprocals and axes. */
     size_t (*words)(const struct primitive *primitive, double *words);
     /* Writes further words, whose address is in the record, and returns their number,

@@ -69,61 +69,7 @@
                                    ; 3: another pattern, 4: an image
         .field  P_TRANSFORMED      ; 1: the shape has an object space
         .field  P_TABLE            ; address of words that P_SHAPE cannot hold
-        .field  P_SHAPE, SHAPE_SIZE ; by kind:
-                                    ;   sphere    centre 3, r^2, 1/r
-                                    ;   box       least corner 3, greatest 3,
-                                    ;             centre 3, half edge 3
-                                    ;   cylinder  centre 3, unit axes u 3, v 3,
-                                    ;             w 3 (along), r^2, half length,
-                                    ;             1/(2 r), 1/r
-                                    ;   of 1984:  base 3, unit axis 3, r, planes
-                                    ;             of base and cap, each p 3 and
-                                    ;             q, outside p . X + q > 0, 1/r
-                                    ;   plane     unit normal 3, distance
-                                    ;   disc      as a plane; centre 3, squares
-                                    ;             of the radii of disc and hole
-                                    ;   cone      centre 3, unit axes 9, mean
-                                    ;             radius, slope, half length,
-                                    ;             1/sqrt(1 + slope^2)
-                                    ;   quadric   centre 3, matrix xx yy zz xy
-                                    ;             xz yz, half of the linear
-                                    ;             terms 3, constant, about the
-                                    ;             centre
-                                    ;   torus     rho, b0, a0, a0/2, square of
-                                    ;             its bound, R^2 + r^2, r^2, 2
-                                    ;             a0, resolution of its roots,
-                                    ;             half distance of the planes
-                                    ;             about it
-                                    ;   quartic   farthest distance, resolution;
-                                    ;             table: its 35 coefficients
-                                    ;   steiner   centre 3, square of its bound,
-                                    ;             thresholds of parallel and of
-                                    ;             zero, resolution of distances;
-                                    ;             table: K0 .. K5, their
-                                    ;             weights, another plane
-                                    ;             (steiner_patch.s)
-                                    ;   prism     low, high, number of rows;
-                                    ;             table: rows, as below
-                                    ;   blob      centre 3, square of its bound,
-                                    ;             threshold, number of rows,
-                                    ;             resolution of distances;
-                                    ;             table: rows, as below
-                                    ;   lathe     height of its middle, square
-                                    ;             of its radius, half height,
-                                    ;             number of visible rows, number
-                                    ;             of rows, bound of the distance
-                                    ;             of its points: square, and a
-                                    ;             slightly greater value; table:
-                                    ;             rows, as below
-                                    ;   quadratic_prism  as a prism; table:
-                                    ;                    rows, as below
-                                    ;   mesh      words per triangle row, room
-                                    ;             for crossings; with a body
-                                    ;             also: offset of the body's
-                                    ;             table in this one, in words,
-                                    ;             and its room for crossings;
-                                    ;             table: nodes and triangles, as
-                                    ;             below
+        .field  P_SHAPE, SHAPE_SIZE ; in the order that shapes/NAME.s states
         .field  P_LOCAL, 12        ; rows of the matrix from world to object
                                    ; space, each three factors and a shift
         .field  P_COLOR, 6         ; pigment, and the checker's second colour

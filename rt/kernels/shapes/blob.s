@@ -38,6 +38,8 @@
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      blob_solid: P_SEGMENTS segments in successive vectors from tin on.
+; Record: centre 3, square of its bound, threshold, number of rows, resolution
+;         of distances.  Table: rows (records.s).
 ; Source: the field: POV-Ray's manual, 3.7; the walk: derived here.
 
         .if     BLOB_PIECES

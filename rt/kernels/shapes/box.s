@@ -6,6 +6,7 @@
 ;
 ; In:  ox oy oz dx dy dz; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
+; Record: least corner 3, greatest 3, centre 3, half edge 3.
 ; Source: the slab method (Kay and Kajiya 1986 describe it in this form).
 
         saves   box, 26, r52                    ; after t3

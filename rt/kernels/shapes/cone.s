@@ -26,6 +26,8 @@
 ;
 ; In:  ox oy oz dx dy dz; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
+; Record: centre 3, unit axes 9, mean radius, slope, half length, 1/sqrt(1 +
+;         slope^2).
 ; Source: derived here; the project's notes on ray tracing, 4.1 and 4.2.
 
 ; Computes tin, tout of the side, and bits0 = the rays that hit it.  Also sets

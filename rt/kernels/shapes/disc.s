@@ -12,6 +12,8 @@
 ;
 ; In:  ox oy oz dx dy dz; the primitive's record.
 ; Out: tin = tout = t; a miss is big, minus_big.
+; Record: unit normal 3, distance, centre 3, squares of the radii of disc and
+;         hole.
 ; Source: textbook; the definition of its inside is POV-Ray's.
 
         .macro  disc_axis o, d, center, into

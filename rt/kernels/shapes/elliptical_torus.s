@@ -1,5 +1,7 @@
 ; elliptical_torus.s - intersects rays with an elliptical torus about the y
 ; axis.  Formulas, arguments and results are those of torus.s.
+;
+; Record: that of torus.s.
 
         .macro  elliptical_polynomial
         ray_times near_dx, near_dx, e0

@@ -55,6 +55,9 @@
 ; Out: tin = tout = the nearest crossing ahead; a miss is big, minus_big.
 ;      lathe_solid: P_SEGMENTS segments, in successive vectors from tin on;
 ;      open_lathe_crossings: P_SEGMENTS pairs of crossings.
+; Record: height of its middle, square of its radius, half height, number of
+;         visible rows, number of rows, bound of the distance of its points:
+;         square, and a slightly greater value.  Table: rows (records.s).
 ; Source: derived here; the project's notes on ray tracing, 0 and 4.2.
 
         .if     LATHES

@@ -10,6 +10,7 @@
 ;
 ; In:  ox oy oz dx dy dz; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
+; Record: unit normal 3, distance.
 ; Source: textbook; the plane as the half space below its normal is POV-Ray's.
 
 ; Computes t0 = d - N . O, t1 = N . D, t2 = t for the plane in sh0-sh3.

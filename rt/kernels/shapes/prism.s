@@ -36,6 +36,7 @@
 ;      prism_solid: P_SEGMENTS segments, in successive vectors from tin on;
 ;      open_prism_sides: the crossings with the sides between the caps, in the
 ;      same place, ascending; the last one is repeated if their number is odd.
+; Record: low, high, number of rows.  Table: rows (records.s).
 ; Source: textbook (the crossings of a polygon are counted); derived here.
 
         include_form columns

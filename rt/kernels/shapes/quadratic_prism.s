@@ -23,6 +23,7 @@
 ; The routines are those of prism.s: QUADRATIC_PRISM, OPEN_QUADRATIC_PRISM,
 ; QUADRATIC_PRISM_SOLID, OPEN_QUADRATIC_PRISM_SIDES.
 ; In, out: as for prism, prism_solid and so on; the rows are those of records.s.
+; Record: that of prism.s.
 ; Source: textbook; derived here.
 
         .if     QUADRATIC_PRISMS

@@ -18,6 +18,8 @@
 ; In:  ox oy oz dx dy dz; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.  quadric_solid: the two segments of
 ;      the ray inside, where the polynomial is below 0.
+; Record: centre 3, matrix xx yy zz xy xz yz, half of the linear terms 3,
+;         constant, about the centre.
 ; Source: derived here; the project's notes on ray tracing, 4.2.
 
 ; Computes a, b, c, and t2 = b^2 - a c.

@@ -26,6 +26,7 @@
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      quartic_solid: three segments (segments_vector.s).
+; Record: farthest distance, resolution.  Table: its 35 coefficients.
 ; Source: derived here; the order is that of POV-Ray's quartic; the bound is
 ; Fujiwara's, without cube roots.
 

@@ -54,6 +54,9 @@
 ; In:  also tin, PATCH_CROSSINGS successive vectors, and as many for patch_s and
 ;      patch_t.
 ; Out: in these the crossings ahead, unsorted, then big; their parameters.
+; Record: centre 3, square of its bound, thresholds of parallel and of zero,
+;         resolution of distances.  Table: K0 .. K5, their weights, another
+;         plane.
 ; Source: the project's notes on ray tracing, 2.3, which derive it.
 
         include_form lanes

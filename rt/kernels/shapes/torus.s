@@ -26,6 +26,8 @@
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      torus_solid: two segments (segments_vector.s).
+; Record: rho, b0, a0, a0/2, square of its bound, R^2 + r^2, r^2, 2 a0,
+;         resolution of its roots, half distance of the planes about it.
 ; Source: the project's notes on ray tracing, 1.1.
 
         include_form lanes
