@@ -3,6 +3,8 @@
 
 #include <ctype.h>
 
+#include "rt/shapes/shape.h"
+
 struct solids solids;
 
 size_t below(size_t count)
@@ -170,23 +172,25 @@ void add_turn(char *text, size_t size, double larger)
 
 /* ---- Shapes ------------------------------------------------------------- */
 
-#define SHAPE(name, pattern) \
+#define PATTERN(name, pattern) \
     static void name(char *text, size_t size) \
     { \
         add_random(text, size, pattern); \
     }
 #define CORNER "<^4s.3:1.2^, ^4s.3:1.2^, ^4s.3:1.2^>"
 
-SHAPE(add_ball, "sphere { 0, ^4s.5:1.2^ ")
-SHAPE(add_box, "box { -" CORNER ", " CORNER " ")
-SHAPE(add_cylinder, "cylinder { -^4s.3:1.4^*y, ^4s.3:1.4^*y, ^4s.3:.8^ $4[open|] ")
-SHAPE(add_cone, "cone { -^4s.3:1.4^*y, ^4s.4:.9^, ^4s.3:1.4^*y, ^4p0:.3^ $4[open|] ")
-SHAPE(add_quadric, "quadric { <1, ^4p-1:1^, 1>, <0, 0, ^4p-.5:.5^>, 0, -^4s.2:.8^ ")
-SHAPE(add_elliptical_torus, "elliptical_torus { ^4s.6:1^, ^4s.15:.4^, ^4s.15:.6^ ")
-SHAPE(add_quartic, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
-                   "0,0,0,0,0,0,0,1,0,0,^4p-.3:.3^,-^4s.4:1^> ")
+PATTERN(random_sphere, "sphere { 0, ^4s.5:1.2^ ")
+PATTERN(random_box, "box { -" CORNER ", " CORNER " ")
+PATTERN(random_cylinder, "cylinder { -^4s.3:1.4^*y, ^4s.3:1.4^*y, ^4s.3:.8^ $4[open|] ")
+PATTERN(random_cone,
+        "cone { -^4s.3:1.4^*y, ^4s.4:.9^, ^4s.3:1.4^*y, ^4p0:.3^ $4[open|] ")
+PATTERN(random_quadric,
+        "quadric { <1, ^4p-1:1^, 1>, <0, 0, ^4p-.5:.5^>, 0, -^4s.2:.8^ ")
+PATTERN(random_elliptical_torus, "elliptical_torus { ^4s.6:1^, ^4s.15:.4^, ^4s.15:.6^ ")
+PATTERN(random_quartic, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,"
+                        "0,0,0,0,0,0,0,1,0,0,^4p-.3:.3^,-^4s.4:1^> ")
 
-static void add_plane(char *text, size_t size)
+static void random_plane(char *text, size_t size)
 {
     add_random(text, size,
                solids.gridded ? "plane { $3[x|y|z]$., ^4p-.3:.6^ "
@@ -194,7 +198,7 @@ static void add_plane(char *text, size_t size)
 }
 
 /* Writes a disc. Every second disc is a ring. */
-static void add_disc(char *text, size_t size)
+static void random_disc(char *text, size_t size)
 {
     add_random(text, size,
                solids.gridded ? "disc { @.3@, $3[x|y|z]$., ^4s.5:1.5^ "
@@ -203,10 +207,13 @@ static void add_disc(char *text, size_t size)
         add_random(text, size, ", ^4s.1:.5^ ");
 }
 
+PATTERN(random_torus, "torus { ^4s.6:1^, ^4s.15:.4^ ")
+
 /* Writes a lathe with two radii, closed or open, with level and vertical segments. */
-static void add_lathe(char *text, size_t size, double large, double small)
+static void random_lathe(char *text, size_t size)
 {
-    bool open = strlen(text) % 4 == 0;
+    double large = size_between(.6, 1), small = size_between(.15, .4);
+    bool open = below(4) == 0;
     add_text(text, size,
              "lathe { %d, %s<%.4f, -%.4f>, <%.4f, -%.4f>, <%.4f, %.4f>, "
              "<%.4f, %.4f>, <%.4f, %.4f>%s ",
@@ -214,21 +221,10 @@ static void add_lathe(char *text, size_t size, double large, double small)
              small, small, small, small, large, open ? "" : ", <0, .75>");
 }
 
-/* Writes a torus or a lathe. Both use the same random numbers. */
-static void add_torus(char *text, size_t size)
-{
-    double major = size_between(.6, 1), minor = size_between(.15, .4);
-    if (strlen(text) % 3 == 0)
-        add_lathe(text, size, major, minor);
-    else
-        add_text(text, size, "torus { %.4f, %.4f ", major, minor);
-}
-
-/* Writes a prism: a corner piece, an arrow or parabolas, from the same numbers. */
-static void add_prism(char *text, size_t size)
+/* Writes a corner piece, an arrow or parabolas. */
+static void add_outline(char *text, size_t size, bool curved)
 {
     double x = size_between(.4, 1.1), z = size_between(.4, 1.1);
-    bool curved = strlen(text) % 3 == 0;
     char end[40] = "", start[40] = "6";
     if (curved) {
         snprintf(start, sizeof start, "8, <-%.4f, 0>", x);
@@ -243,7 +239,17 @@ static void add_prism(char *text, size_t size)
              below(4) ? "" : "open");
 }
 
-static void add_patch(char *text, size_t size)
+static void random_prism(char *text, size_t size)
+{
+    add_outline(text, size, false);
+}
+
+static void random_quadratic_prism(char *text, size_t size)
+{
+    add_outline(text, size, true);
+}
+
+static void random_steiner_patch(char *text, size_t size)
 {
     add_random(text, size,
                "steiner_patch { <-1, 0, 0>, <0, 2, 0>, <1, 0, 0>, "
@@ -253,7 +259,7 @@ static void add_patch(char *text, size_t size)
 }
 
 /* Writes a mesh: a roof, its smooth gable, or both. Both form a closed body. */
-static void add_mesh(char *text, size_t size)
+static void random_mesh(char *text, size_t size)
 {
     double x = size_between(.3, 1), y = place_between(-.5, 1);
     double z = size_between(.3, 1);
@@ -270,55 +276,41 @@ static void add_mesh(char *text, size_t size)
                  y, z, y, z, x);
 }
 
+/* Writes two balls and a rod. */
+PATTERN(random_blob,
+        "blob { threshold ^4.2:.6^ sphere { <^4p-.5:0^, 0, 0>, ^4s.5:1^, 1 }"
+        " cylinder { <^4p0:.5^, -^4s.25:.5^, 0>, <^4p0:.5^, ^4s.25:.5^, 0>,"
+        " ^4s.4:.8^, 1 }"
+        " sphere { <0, ^4p-.5:.5^, ^4p-.5:.5^>, ^4s.4:.8^, $2[|-].8 } ")
+
+add_words *const random_shapes[PRIMITIVE_KINDS] = {
+#define SHAPE(KIND, name, ...) random_##name,
+#include "rt/shapes/shapes.def"
+};
+
+static void add_random_shape(char *text, size_t size, bool surfaces)
+{
+    size_t kind = below(PRIMITIVE_KINDS);
+    while (!surfaces && shapes[kind]->kernels.segments == 0)
+        kind = below(PRIMITIVE_KINDS);
+    random_shapes[kind](text, size);
+}
+
 /* Clips one object in ten, before it is moved. */
 static void add_clip(char *text, size_t size)
 {
-    static void (*const add_shape[])(char *, size_t) = {
-        add_plane, add_ball,    add_box,   add_cylinder,
-        add_cone,  add_quadric, add_torus, add_prism,
-    };
     if (below(10))
         return;
     add_text(text, size, "clipped_by { ");
-    add_shape[below(COUNT(add_shape))](text, size);
+    add_random_shape(text, size, false);
     add_motion(text, size);
     add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
 }
 
-/* In some solids, writes two balls and a rod instead of a shape. The random state of
- * other solids does not depend on this choice. */
-static bool add_blob(char *text, size_t size)
-{
-    uint64_t kept = traced.random;
-    traced.random = kept * 7 + 3;
-    for (int i = 0; i < 8; i++)
-        below(2);
-    bool there = below(16) == 0;
-    if (there)
-        add_random(text, size,
-                   "blob { threshold ^4.2:.6^ sphere { <^4p-.5:0^, 0, 0>, ^4s.5:1^, 1 }"
-                   " cylinder { <^4p0:.5^, -^4s.25:.5^, 0>, <^4p0:.5^, ^4s.25:.5^, 0>,"
-                   " ^4s.4:.8^, 1 }"
-                   " sphere { <0, ^4p-.5:.5^, ^4p-.5:.5^>, ^4s.4:.8^, $2[|-].8 } ");
-    traced.random = kept;
-    return there;
-}
-
 static void add_leaf(char *text, size_t size)
 {
-    static void (*const add_shape[])(char *, size_t) = {
-        add_ball,  add_box,     add_cylinder,         add_cone,
-        add_plane, add_disc,    add_quadric,          add_torus,
-        add_prism, add_quartic, add_elliptical_torus, add_patch
-    };
-    size_t kinds = COUNT(add_shape) - !solids.patches;
-    if (solids.meshes && below(8) == 0)
-        add_mesh(text, size);
-    else {
-        if (!add_blob(text, size))
-            add_shape[below(kinds)](text, size);
-        add_clip(text, size);
-    }
+    add_random_shape(text, size, solids.surfaces);
+    add_clip(text, size);
     add_look(text, size);
     add_text(text, size, below(8) ? "" : "inverse ");
     add_motion(text, size);
@@ -352,49 +344,45 @@ void add_solid(char *text, size_t size, size_t depth)
 {
     static const struct {
         const char *word;
-        bool meets; /* a patch or a mesh in it causes a report */
+        bool meets; /* a surface in it causes a report */
     } joined[] = {
         { "difference", true }, { "difference", true }, { "intersection", true },
         { "merge", false },     { "union", false },
     };
     size_t which = below(COUNT(joined));
-    bool patches = solids.patches, meshes = solids.meshes;
+    bool surfaces = solids.surfaces;
     if (depth == 0 || below(5) == 0) {
         add_leaf(text, size);
         return;
     }
-    solids.patches = patches && (traced.reported || !joined[which].meets);
-    solids.meshes = meshes && (traced.reported || !joined[which].meets);
+    solids.surfaces = surfaces && (traced.reported || !joined[which].meets);
     add_text(text, size, "%s {\n", joined[which].word);
     add_children(text, size, depth);
     add_clip(text, size);
     add_motion(text, size);
     add_text(text, size, "}\n");
-    solids.patches = patches;
-    solids.meshes = meshes;
+    solids.surfaces = surfaces;
 }
 
 /* ---- Solids with a shape -------------------------------------------------- */
 
-typedef void shape_words(char *text, size_t size);
-
-static void add_part(char *text, size_t size, shape_words *add_shape)
+static void add_part(char *text, size_t size, add_words *add_shape)
 {
     if (below(3))
         add_shape(text, size);
     else if (below(2))
-        add_ball(text, size);
+        random_sphere(text, size);
     else if (below(2))
-        add_box(text, size);
+        random_box(text, size);
     else
-        add_torus(text, size);
+        random_torus(text, size);
     add_look(text, size);
     add_text(text, size, below(8) ? "" : "inverse ");
     add_motion(text, size);
     add_text(text, size, "}\n");
 }
 
-static void write_solids_with(char *text, size_t size, shape_words *add_shape)
+static void write_solids_with(char *text, size_t size, add_words *add_shape)
 {
     static const char *const joined[] = { "difference", "intersection", "merge",
                                           "union" };
@@ -411,7 +399,7 @@ static void write_solids_with(char *text, size_t size, shape_words *add_shape)
     }
 }
 
-void check_solids_with(void (*add_shape)(char *text, size_t size))
+void check_solids_with(add_words *add_shape)
 {
     static char text[1 << 16];
     text[0] = '\0';

@@ -14,9 +14,8 @@
 extern struct solids {
     bool clear; /* some parts are clear, and solids with clear parts may be mirrors */
     bool gridded;
-    bool patches; /* include patches; a patch that causes a report is excluded unless
-                   * reports are allowed */
-    bool meshes;  /* include meshes, with the same exclusion */
+    bool surfaces; /* include shapes that have or may have no inside; those that cause a
+                    * report are excluded unless reports are allowed */
 } solids;
 
 size_t below(size_t count);
@@ -43,9 +42,14 @@ void add_gradient(char *text, size_t size);
 void add_look(char *text, size_t size);
 void add_solid(char *text, size_t size, size_t depth);
 
+/* Functions that begin a random shape of each kind. They write the keyword and the
+ * arguments, without a closing brace. */
+typedef void add_words(char *text, size_t size);
+extern add_words *const random_shapes[PRIMITIVE_KINDS];
+
 /* Makes two solids of several parts. On average, two of three parts are the shape that
  * `add_shape` begins. Fails unless all stages, both CSG methods, a run without bounds
  * and the plain tracer give the same frame. */
-void check_solids_with(void (*add_shape)(char *text, size_t size));
+void check_solids_with(add_words *add_shape);
 
 #endif

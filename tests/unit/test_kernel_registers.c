@@ -298,7 +298,7 @@ TEST(random_solids)
 {
     static char text[100000];
     static const size_t queues[] = { 1, COLUMNS - 1, 2000 };
-    solids.clear = solids.patches = traced.reported = true;
+    solids.clear = solids.surfaces = traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         solids.gridded = below(2);
         traced.historical = below(3) == 0;

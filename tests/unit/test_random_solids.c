@@ -62,7 +62,7 @@ static void check_scenes(bool gridded, bool clear)
     static char text[1 << 18];
     solids.gridded = gridded;
     solids.clear = clear;
-    solids.patches = solids.meshes = true;
+    solids.surfaces = true;
     for (size_t i = 0; i < scene_count; i++) {
         write_scene(text, sizeof text);
         SCOPED(scene) *scene = read_text(text);

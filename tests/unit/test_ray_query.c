@@ -302,7 +302,7 @@ TEST(no_lines)
 ARGUMENTS(argc, argv)
 {
     traced.reported = true; /* some patches are in intersections */
-    solids.patches = solids.meshes = true;
+    solids.surfaces = true;
     scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;
 }

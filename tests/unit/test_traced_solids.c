@@ -42,6 +42,15 @@ static void check_scenes(bool clear)
 TEST_CALL(opaque, check_scenes(false))
 TEST_CALL(clear, check_scenes(true))
 
+/* Solids with each kind of shape. */
+TEST(shapes)
+{
+    traced.reported = true;
+    for (size_t kind = 0; kind < PRIMITIVE_KINDS; kind++)
+        check_solids_with(random_shapes[kind]);
+    traced.reported = false;
+}
+
 /* The CSG method of the vector form must not change the frame. */
 static void check_every(const char *text)
 {
