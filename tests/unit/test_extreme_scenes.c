@@ -2,7 +2,7 @@
  * sizes up to 10^30. The frames of every form, with and without bounds, are compared
  * with each other. A sum that overflows in only one form fails here. */
 #define SMALL_FRAMES
-#include "tests/unit/traced_frame.h"
+#include "tests/unit/random_solids.h"
 
 enum { SCENES = 30 };
 
@@ -75,22 +75,11 @@ static void add_texture(void)
 
 static void add_object(void)
 {
-    static const char *const shapes[] = {
-        "sphere { 0, 1",
-        "box { -1, 1",
-        "cylinder { -y, y, 1",
-        "cone { -y, 1, y, .3",
-        "torus { 1, .3",
-        "plane { y, -1",
-        "difference { sphere { 0, 1 } box { 0, 2 }",
-        "disc { 0, y, 1",
-        "mesh { triangle { -x, y, z } triangle { x, -y, z }",
-        "quadric { <1, 2, 1>, <0, .2, 0>, 0, -1",
-        "blob { threshold .5 sphere { 0, 1, 1 } sphere { x, 1, 1 }",
-        "prism { -1, 1, 4, <-1, -1>, <1, -1>, <0, 1>, <-1, -1>",
-        "lathe { linear_spline 3, <.2, -1>, <1, 0>, <.3, 1>",
-    };
-    add("%s ", shapes[among(0, 12)]);
+    size_t kind = among(0, PRIMITIVE_KINDS);
+    if (kind == PRIMITIVE_KINDS)
+        add("difference { sphere { 0, 1 } box { 0, 2 } ");
+    else
+        random_shapes[kind](text, sizeof text);
     add_texture();
     add("rotate %.1f*x scale %.4g translate ", between(-90, 90), any_size());
     add_place(2 * any_size());
