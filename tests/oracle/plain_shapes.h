@@ -55,9 +55,7 @@ bool cross_level(double height, const struct ray *ray, struct crossing *crossing
 struct round round_of(const struct primitive *primitive);
 struct torus torus_of(const struct primitive *primitive);
 
-/* The files plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
- * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c and plain_mesh.c
- * define these functions. */
+/* The files tests/oracle/plain_*.c define these functions. */
 #define SHAPE(KIND, name, ...) \
     cross_shape cross_##name; \
     enclose_point in_##name;
