@@ -85,6 +85,15 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
         free_item(&item);
 }
 
+void diagnostics_keep(struct diagnostics *diagnostics, size_t count)
+{
+    while (diagnostics->count > count) {
+        struct diagnostic *last = &diagnostics->items[--diagnostics->count];
+        diagnostics->errors -= last->severity == SEVERITY_ERROR;
+        free_item(last);
+    }
+}
+
 /* Returns the item to which output text is appended. NULL: out of memory. */
 static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
 {

@@ -50,6 +50,8 @@ struct position {
 /* Adds a diagnostic. The arguments are copied. */
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message);
+/* Removes all diagnostics after the first `count`. */
+void diagnostics_keep(struct diagnostics *diagnostics, size_t count);
 /* Appends text that is printed without a prefix. Returns false if these texts exceed
  * MAX_SAID bytes in total, or if the host is out of memory. */
 enum { MAX_SAID = 1 << 16 };

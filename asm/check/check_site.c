@@ -35,10 +35,7 @@ static void check_length(struct runtime_checker *watch, const struct site *site,
     unsigned r = operand->number;
     if (c205_descriptor_length(operand->word) > 0)
         return;
-    if (!watch->is_written[r])
-        runtime_report(watch, site, WARNING_UNSET_LENGTH,
-                       "r%u is never set, so it describes no vector", r);
-    else if (watch->is_entered[r] && watch->entered[r] == operand->word)
+    if (watch->is_entered[r] && watch->entered[r] == operand->word)
         runtime_report(watch, site, WARNING_UNSET_LENGTH,
                        "r%u has the address %" PRIX64
                        " but no length; set it with ELEN or the macro descriptor",
@@ -79,14 +76,27 @@ static void check_store(struct runtime_checker *watch, const struct site *site,
 
 /* ---- Indices ------------------------------------------------------------ */
 
+/* Returns true if a word has the exponent of a number other than an integer. It is not
+ * 0, machine zero or indefinite. */
+static bool has_exponent(c205_word word)
+{
+    unsigned field = (unsigned)(word >> 48);
+    return field != 0 && (field & 0xF000) != 0x7000 && (field & 0xF000) != 0x8000;
+}
+
 /* Returns true if a word is a normalised number and therefore not an index. The high 16
  * bits of an index are ignored, so they may have any value. No practical index reaches
  * bit 46. */
 static bool is_float(c205_word word)
 {
-    unsigned field = (unsigned)(word >> 48);
-    return field != 0 && (field & 0xF000) != 0x7000 && (field & 0xF000) != 0x8000
-           && ((word >> 47 ^ word >> 46) & 1);
+    return has_exponent(word) && ((word >> 47 ^ word >> 46) & 1);
+}
+
+/* Returns true if an element of an index list is a number with an exponent, normalised
+ * or not. An index list contains no descriptors, so its high 16 bits must be 0. */
+static bool is_float_element(c205_word word)
+{
+    return has_exponent(word) && c205_to_integer(word) != 0;
 }
 
 static void print_float_index(struct runtime_checker *watch, const struct site *site,
@@ -111,7 +121,7 @@ static void check_index(struct runtime_checker *watch, const struct site *site,
     print_float_index(watch, site, which.text, index->word);
 }
 
-/* Warns of normalised numbers in the index list of a gather or scatter. For a scatter,
+/* Warns of numbers with an exponent in the index list of a gather or scatter. For a scatter,
  * also checks the addresses in the table to which it stores. */
 static void check_indices(struct runtime_checker *watch, const c205 *machine,
                           const struct site *site, const struct operand_view *list)
@@ -128,7 +138,7 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
         for (size_t i = 0; i < n; i++) {
             struct text_line which = { "", 0 };
             struct sink sink = text_line_sink(&which);
-            if (is_float(words[i])) {
+            if (is_float_element(words[i])) {
                 sink_print(&sink, "element %zu of the index list [r%u]", first + i,
                            list->number);
                 print_float_index(watch, site, which.text, words[i]);

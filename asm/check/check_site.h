@@ -6,7 +6,7 @@
 #include "asm/check/precision.h"
 #include "asm/check/runtime_check.h"
 #include "asm/check/storage_map.h"
-#include "asm/view/operand_view.h"
+#include "asm/view/unwritten.h"
 #include "vm/error.h"
 
 struct site;
@@ -38,20 +38,24 @@ struct runtime_checker {
     const struct object *object;
     const char *name;
     const struct warning_choice *choice;
-    struct sink report;
+    const struct sink *report; /* NULL: the reports are not printed */
     struct storage_map *storage;
+    struct diagnostics found; /* one for each item of reported */
     warning_set meant, warned;
-    size_t errors, reported_count;
+    size_t reported_count;
     struct reported reported[MAX_REPORTED];
     /* entered: the word that ES or EX entered in a register. emptied: the word of the
      * register after ELEN had set its length to 0. If the register still contains this
      * word, no other length was set. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
-    bool is_written[C205_REGISTERS]; /* some instruction writes the register */
-    struct site sites[CHECK_SITES];  /* indexed by address */
+    struct register_set written; /* registers that were written, or found unwritten */
+    bool is_straight;            /* the assembler has checked the first reads so far */
+    struct site sites[CHECK_SITES]; /* indexed by address */
     /* A copy of `pc` and `before` of the sites, without their other members, because it
-     * is read at every instruction. Most instructions have no check. */
+     * is read at every instruction. Most instructions have no check. The registers that
+     * an instruction reads are checked when it becomes a site, because a register that
+     * was written once remains written. */
     struct {
         uint64_t pc;
         site_check *before;

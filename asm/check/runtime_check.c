@@ -3,7 +3,6 @@
 #include "asm/check/runtime_check.h"
 #include "vm/error.h"
 
-#include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +22,7 @@ struct runtime_checker *runtime_new(const struct object *object, const char *nam
     watch->object = object;
     watch->name = name;
     watch->choice = choice;
-    watch->report = *report;
+    watch->report = report;
     watch->meant = expect_warnings(object);
     watch->storage = storage_map_new(object);
     if (watch->storage)
@@ -34,8 +33,10 @@ struct runtime_checker *runtime_new(const struct object *object, const char *nam
 
 void runtime_free(struct runtime_checker *watch)
 {
-    if (watch)
-        storage_map_free(watch->storage);
+    if (!watch)
+        return;
+    storage_map_free(watch->storage);
+    diagnostics_free(&watch->found);
     free(watch);
 }
 
@@ -46,7 +47,18 @@ warning_set runtime_warned(const struct runtime_checker *watch)
 
 size_t runtime_errors(const struct runtime_checker *watch)
 {
-    return watch->errors;
+    return watch->found.errors;
+}
+
+const struct diagnostics *runtime_found(const struct runtime_checker *watch)
+{
+    return &watch->found;
+}
+
+void runtime_forget(struct runtime_checker *watch, size_t count)
+{
+    diagnostics_keep(&watch->found, count);
+    watch->reported_count = watch->found.count;
 }
 
 /* ---- Reports ------------------------------------------------------------ */
@@ -69,11 +81,10 @@ static bool is_new(struct runtime_checker *watch, struct reported reported)
 static void put(struct runtime_checker *watch, enum warning warning,
                 const struct position *position, const char *message)
 {
-    struct diagnostics diagnostics = { 0 };
-    warning_add(&diagnostics, watch->choice, warning, position, message);
-    diagnostics_put(&diagnostics, &watch->report);
-    watch->errors += diagnostics.errors;
-    diagnostics_free(&diagnostics);
+    size_t before = watch->found.count;
+    warning_add(&watch->found, watch->choice, warning, position, message);
+    if (watch->report && watch->found.count > before)
+        diagnostic_put(&watch->found.items[before], watch->report);
 }
 
 /* Reports a warning with the address of the instruction, for programs without source
@@ -99,8 +110,8 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
     if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
         return;
     if (line) {
-        reported.file = line->file;
-        reported.number = line->number;
+        reported.file = line->shown.file;
+        reported.number = line->shown.number;
         position = asm_line_position(line);
     }
     if (!is_new(watch, reported))
@@ -131,6 +142,37 @@ struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
     return site;
 }
 
+/* Returns true if an instruction is in a macro of another file than its call. */
+static bool is_of_other_file(const struct object *object, uint64_t pc)
+{
+    const struct asm_line *line = object_line(object, pc);
+    return line && strcmp(line->file, line->shown.file) != 0;
+}
+
+/* Warns of a register that the instruction at pc reads before it was written. LINKV
+ * runs the two instructions after it. */
+static void check_first_reads(struct runtime_checker *watch, const c205 *machine,
+                              uint64_t pc)
+{
+    struct site *site = runtime_site(watch, machine, pc);
+    struct instruction_view views[VIEW_LINKED];
+    size_t count = view_at(views, machine, pc);
+    for (size_t i = 0; i < count && views[i].insn; i++) {
+        struct text_line message = { "", 0 };
+        struct sink sink = text_line_sink(&message);
+        struct unwritten found;
+        if (!unwritten_find(&watch->written, &views[i], &found) || watch->is_straight
+            || (unwritten_is_copy(views[i].insn)
+                && is_of_other_file(watch->object, views[i].pc)))
+            continue;
+        unwritten_print(&found,
+                        object_mentioned_name(watch->object, views[i].pc, found.number,
+                                              found.is_half),
+                        &views[i], &sink);
+        runtime_report(watch, site, WARNING_UNWRITTEN_REGISTER, "%s", message.text);
+    }
+}
+
 static void look_ahead(struct runtime_checker *watch, const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
@@ -138,6 +180,7 @@ static void look_ahead(struct runtime_checker *watch, const c205 *machine)
     if (watch->direct[i].pc != pc) {
         watch->direct[i].before = runtime_site(watch, machine, pc)->before;
         watch->direct[i].pc = pc;
+        check_first_reads(watch, machine, pc);
     }
     if (watch->direct[i].before)
         watch->direct[i].before(watch, machine, runtime_site(watch, machine, pc));
@@ -169,6 +212,9 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
     struct runtime_checker *watch = context;
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
+    for (size_t i = 0; i < C205_REGISTERS / 64; i++)
+        watch->written.bits[i] |= event->written[i];
+    watch->is_straight = watch->is_straight && unwritten_is_straight(event->insn);
     if (c205_unit_is_vector(event->insn->unit)) {
         struct site *site = runtime_site(watch, machine, event->pc);
         take_lengths(watch, event);
@@ -183,41 +229,14 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 
 /* ---- The start ---------------------------------------------------------- */
 
-/* Records the registers that an instruction writes, according to the letters of its
- * operands in insn.def. SWAP may write all registers. */
-static void note_writes(struct runtime_checker *watch,
-                        const struct instruction_view *view)
-{
-    for (size_t i = 0; i < view->count; i++) {
-        const struct operand_view *operand = &view->operands[i];
-        unsigned r = operand->number;
-        if (!strchr("wpmkco", tolower((unsigned char)operand->letter)))
-            continue;
-        watch->is_written[operand->is_half ? r / 2 : r] = true;
-        if (operand->letter == 'p' && r + 1 < C205_REGISTERS)
-            watch->is_written[r + 1] = true;
-    }
-    if (view->insn->format == C205_FORMAT_SWAP)
-        memset(watch->is_written, true, sizeof watch->is_written);
-}
-
-/* Determines which registers no instruction writes. Reading one of these is probably a
- * mistake. Without source lines, all registers count as written. */
+/* The registers that the host has set count as written. So do all registers of a
+ * machine that is not at the entry, because it was restored. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine)
 {
-    const struct object *object = watch->object;
-    bool blind = object->line_count == 0;
-    struct instruction_view view;
-    memset(watch->is_written, blind, sizeof watch->is_written);
-    for (size_t i = 0; i < object->line_count; i++) {
-        const struct asm_line *line = &object->lines[i];
-        uint64_t at = line->address, end = at + 32 * line->halves;
-        for (; at < end && end - at <= 32 * (uint64_t)4096;
-             at += 32 * (uint64_t)view.halves) {
-            view_decode(&view, machine, at);
-            if (view.insn)
-                note_writes(watch, &view);
-        }
-    }
+    bool restored = c205_pc(machine) != watch->object->program.entry;
+    for (unsigned r = 0; r < C205_REGISTERS; r++)
+        if (restored || c205_register(machine, r) != 0)
+            register_set_add(&watch->written, r);
+    watch->is_straight = watch->object->line_count > 0;
     look_ahead(watch, machine);
 }

@@ -13,8 +13,8 @@
 struct runtime_checker;
 
 /* Returns a checker, or NULL if memory is exhausted. The object and the choice must
- * outlive it. name is the name of the program, which is printed if there are no source
- * lines. */
+ * outlive it, and so must the report, to which each warning is printed; NULL: none. name
+ * is the name of the program, which is printed if there are no source lines. */
 struct runtime_checker *runtime_new(const struct object *object, const char *name,
                                     const struct warning_choice *choice,
                                     const struct sink *report);
@@ -32,5 +32,10 @@ c205_listener runtime_listen;
 warning_set runtime_warned(const struct runtime_checker *watch);
 /* Returns the number of warnings that count as errors. */
 size_t runtime_errors(const struct runtime_checker *watch);
+/* Returns the reported warnings in the order of their occurrence. */
+const struct diagnostics *runtime_found(const struct runtime_checker *watch);
+/* Removes all reported warnings after the first `count`, so they can be reported
+ * again. */
+void runtime_forget(struct runtime_checker *watch, size_t count);
 
 #endif

@@ -94,9 +94,10 @@ bool asm_line_is_called(const struct asm_line *line)
 
 struct position asm_line_position(const struct asm_line *line)
 {
-    const struct position position = { line->file, line->number,
-                                       strspn(line->source, " \t") + 1, line->source,
-                                       strlen(line->source) };
+    const struct asm_place *place = &line->shown;
+    const struct position position = { place->file, place->number,
+                                       strspn(place->source, " \t") + 1, place->source,
+                                       strlen(place->source) };
     return position;
 }
 
@@ -128,5 +129,26 @@ const char *object_register_name(const struct object *object, unsigned number,
     for (size_t i = object->register_count; i-- > 0;)
         if (object->registers[i].half == half && object->registers[i].number == number)
             return object->registers[i].name;
+    return "";
+}
+
+const char *object_mentioned_name(const struct object *object, uint64_t address,
+                                  unsigned number, bool half)
+{
+    size_t low = 0, high = object->mention_count;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (object->mentions[middle].address < address)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < object->mention_count && object->mentions[low].address == address;
+         low++) {
+        const struct asm_register *named = &object
+                                                ->registers[object->mentions[low].name];
+        if (named->half == half && named->number == number)
+            return named->name;
+    }
     return "";
 }

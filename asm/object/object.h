@@ -115,12 +115,16 @@ const c205_region *object_region_named(const struct object *object, const char *
 bool asm_line_is_called(const struct asm_line *line);
 /* Returns true if a place is this line of this file. */
 bool asm_place_is(const struct asm_place *place, const char *file, size_t number);
-/* Returns the source position of a line. */
+/* Returns the position in the source at which a line is shown. */
 struct position asm_line_position(const struct asm_line *line);
 /* Returns the symbol with the given name, or NULL. */
 const struct asm_symbol *object_symbol(const struct object *object, const char *name);
 /* Returns the first label at an address, in the order of names, or "". */
 const char *object_label(const struct object *object, uint64_t address);
+/* Returns the name by which the instruction at an address mentions a register or half
+ * register, or "" if it does not mention a name. */
+const char *object_mentioned_name(const struct object *object, uint64_t address,
+                                  unsigned number, bool half);
 /* Returns the name that the program declares for a register or half register, or "" if
  * it declares none. If there are several names, returns the last. */
 const char *object_register_name(const struct object *object, unsigned number,

@@ -262,6 +262,11 @@ bool parse_line(struct assembler *assembler, const struct line *line);
 
 /* Warns if execution can run past the end of the code (fallthrough.c). */
 void check_ends(struct assembler *assembler);
+/* Returns true if an instruction is EXIT with request 0, the default request. */
+bool ends_program(struct assembler *assembler, const struct layout_item *item);
+/* Warns of registers that are read before they are written, in the instructions from
+ * the entry to the first branch (first_reads.c). */
+void check_first_reads(struct assembler *assembler, uint64_t entry);
 
 /* layout_end returns the address after an item. layout_sort sorts the items by address
  * (layout.c). */

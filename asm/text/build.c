@@ -261,8 +261,10 @@ struct object *build_object(struct assembler *assembler)
     storage->object.program.warm = assembler->warm;
     good = fill_storage(assembler, storage)
            && assembler->diagnostics->errors == assembler->first_error;
-    if (good)
+    if (good) {
         check_ends(assembler);
+        check_first_reads(assembler, storage->object.program.entry);
+    }
     storage->object.warned = report_pending_warnings(assembler);
     if (good && !storage->arena.failed
         && assembler->diagnostics->errors == assembler->first_error)

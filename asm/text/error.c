@@ -18,7 +18,10 @@ bool report_file(struct diagnostics *diagnostics, const char *file, const char *
 static void print_caller(char *message, size_t size, const struct line *line)
 {
     size_t used = strlen(message);
-    if (line->call)
+    if (reported_line(line) != line)
+        snprintf(message + used, size - used, " (in a macro, at %s:%zu)", line->file,
+                 line->number);
+    else if (line->call)
         snprintf(message + used, size - used, " (expanded from %s:%zu)",
                  line->call->line->file, line->call->line->number);
 }
@@ -32,8 +35,13 @@ static size_t column_of(const struct line *line, const char *at)
     return (size_t)(at - line->text) + 1;
 }
 
+/* Returns the position of an error. An error in a macro of asm/lib is at its call. */
 static struct position position_of(const struct line *line, const char *at)
 {
+    if (reported_line(line) != line) {
+        line = reported_line(line);
+        at = line->begin;
+    }
     const struct position position = { line->file, line->number, column_of(line, at),
                                        line->text,
                                        (size_t)(line->text_end - line->text) };

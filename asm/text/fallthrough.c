@@ -1,8 +1,7 @@
 /* fallthrough.c - warns if a program can continue at an address without code. */
 #include "asm/text/expression.h"
 
-/* Returns true if the item is EXIT with request 0, the default request. */
-static bool ends_program(struct assembler *assembler, const struct layout_item *item)
+bool ends_program(struct assembler *assembler, const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
     struct value value = { VALUE_INTEGER, 0 };

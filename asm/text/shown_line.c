@@ -100,6 +100,14 @@ const struct line *outermost_line(const struct line *line)
     return line;
 }
 
+const struct line *reported_line(const struct line *line)
+{
+    const struct call *call;
+    while (is_library(line->file) && (call = macro_call(line)) != NULL)
+        line = call->line;
+    return line;
+}
+
 const struct line *shown_line(const struct line *line)
 {
     const struct line *outermost = outermost_line(line);

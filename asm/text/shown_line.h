@@ -38,6 +38,9 @@ void shown_line_call(const struct expander *expander);
 
 /* Returns the line at which profiles and debuggers show the code of a line. */
 const struct line *shown_line(const struct line *line);
+/* Returns the line at which an error in a line is reported: the innermost line around it
+ * that is not in a macro of asm/lib. */
+const struct line *reported_line(const struct line *line);
 /* Returns the outermost macro call that contains a line, or the line. */
 const struct line *outermost_line(const struct line *line);
 /* Returns the form of a line's code, scalar or vector. If operations were called

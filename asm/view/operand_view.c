@@ -100,18 +100,27 @@ static void decode_operands(struct instruction_view *view)
             decode_one(&view->operands[view->count++], view, syntax, *letter++);
 }
 
+void view_take(struct instruction_view *view, uint64_t pc, const c205_insn *insn,
+               c205_fields fields)
+{
+    memset(view, 0, sizeof *view);
+    view->pc = pc;
+    view->insn = insn;
+    view->halves = c205_format_halves(insn->format);
+    view->fields = fields;
+    decode_operands(view);
+}
+
 void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc)
 {
     c205_word word = view_word_at(machine, pc);
+    const c205_insn *insn = c205_insn_coded((uint8_t)(word >> 56),
+                                            (uint8_t)(word >> 48));
     memset(view, 0, sizeof *view);
     view->pc = pc;
-    view->insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
     view->halves = 1;
-    if (!view->insn)
-        return;
-    view->halves = c205_format_halves(view->insn->format);
-    view->fields = c205_decode(view->insn, word);
-    decode_operands(view);
+    if (insn)
+        view_take(view, pc, insn, c205_decode(insn, word));
 }
 
 /* ---- Fill ---- */

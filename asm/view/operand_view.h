@@ -37,6 +37,9 @@ struct instruction_view {
 /* Decodes an instruction, and the properties of its operands that do not depend on the
  * contents of registers. */
 void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc);
+/* Describes an instruction by its fields instead of its word in memory. */
+void view_take(struct instruction_view *view, uint64_t pc, const c205_insn *insn,
+               c205_fields fields);
 /* Adds the properties of the operands that depend on the contents of registers. Must be
  * called again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);

@@ -83,3 +83,4 @@ BARB.again: ADDX    passes, one, passes
         register_is BARB, passes, 2
         flags_are BARB, X'0000 0000 0000 0000'
         EXIT
+; expect-warning: unwritten-register

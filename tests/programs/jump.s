@@ -98,3 +98,4 @@ IBNZ.never:
 BSAVE.routine:
         ADDX    sum, two, sum
         BSAVE   r0, [link]
+; expect-warning: unwritten-register

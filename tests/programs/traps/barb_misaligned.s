@@ -4,3 +4,4 @@
 next:   ES      r11, 5
 ; expect-trap: misaligned-operand
 ; expect: r11 = 0
+; expect-warning: unwritten-register

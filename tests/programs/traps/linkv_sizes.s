@@ -13,3 +13,4 @@ a:      .word   1.0, 2.0, 3.0, 4.0, 5.0
 ; expect-halves: [nothing] = kept, kept, kept, kept, kept
 ; expect: [a] = 1.0, 2.0, 3.0, 4.0, 5.0
 ; expect-warning: past-storage
+; expect-warning: unwritten-register

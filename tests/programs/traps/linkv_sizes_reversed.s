@@ -12,3 +12,4 @@ a:      .word   1.0, 2.0, 3.0, 4.0, 5.0
 ; expect-trap: bad-link
 ; expect-halves: [nothing] = kept, kept, kept, kept, kept
 ; expect: [a] = 1.0, 2.0, 3.0, 4.0, 5.0
+; expect-warning: unwritten-register

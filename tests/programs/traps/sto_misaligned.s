@@ -6,3 +6,4 @@ list:   .word   1.0, 2.0
         STO     [r10], r11
 ; expect-trap: misaligned-operand
 ; expect: [list] = 1.0, 2.0
+; expect-warning: unwritten-register
