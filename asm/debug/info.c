@@ -94,8 +94,8 @@ static bool info_symbols(struct debugger *debugger)
 
 static bool info_operands(struct debugger *debugger)
 {
-    trap_report_operands(machine_of(debugger), c205_pc(machine_of(debugger)),
-                         &debugger->out);
+    trap_report_operands(debugger->setup.object, machine_of(debugger),
+                         c205_pc(machine_of(debugger)), &debugger->out);
     return true;
 }
 

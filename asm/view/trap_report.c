@@ -28,30 +28,43 @@ static void put_vector(const struct sink *sink, const struct instruction_view *v
                    vector_elements(operand->width), operand->address);
     else
         vector_extent(&vector, sink);
+    if (!operand->is_bad && !strchr("xzco", letter)
+        && c205_descriptor_length(operand->word) == 0)
+        sink_put(sink, "; its length was not set");
 }
 
-static void put_operand(const struct sink *sink, const struct instruction_view *view,
+/* Prints "r10", or "x (r10)" if the instruction at pc names the register. */
+static void put_name(const struct sink *sink, const struct object *object, uint64_t pc,
+                     unsigned number, bool half)
+{
+    const char *name = object ? object_mentioned_name(object, pc, number, half) : "";
+    sink_print(sink, *name ? "%s (%c%u)" : "%s%c%u", name, half ? 'h' : 'r', number);
+}
+
+static void put_operand(const struct sink *sink, const struct object *object,
+                        const struct instruction_view *view,
                         const struct operand_view *operand)
 {
-    char name = operand->is_half ? 'h' : 'r';
     if (!view_is_read(operand))
         return;
-    sink_print(sink, operand->is_vector ? "    [%c%u" : "    %c%u = ", name,
-               operand->number);
-    if (operand->offset)
-        sink_print(sink, ", r%u", operand->offset);
-    if (operand->is_vector) {
-        sink_put(sink, "]: ");
-        put_vector(sink, view, operand);
-    } else if (strchr("fFvV", operand->letter) || operand->is_half) {
-        word_print(operand->word, operand->is_half, sink);
-    } else {
-        put_integer(sink, operand);
+    sink_put(sink, operand->is_vector ? "    [" : "    ");
+    put_name(sink, object, view->pc, operand->number, operand->is_half);
+    if (operand->offset) {
+        sink_put(sink, ", ");
+        put_name(sink, object, view->pc, operand->offset, false);
     }
+    sink_put(sink, operand->is_vector ? "]: " : " = ");
+    if (operand->is_vector)
+        put_vector(sink, view, operand);
+    else if (strchr("fFvV", operand->letter) || operand->is_half)
+        word_print(operand->word, operand->is_half, sink);
+    else
+        put_integer(sink, operand);
     sink_put(sink, "\n");
 }
 
-void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink)
+void trap_report_operands(const struct object *object, const c205 *machine, uint64_t pc,
+                          const struct sink *sink)
 {
     struct instruction_view views[VIEW_LINKED];
     size_t count = view_at(views, machine, pc);
@@ -59,23 +72,29 @@ void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *s
         if (count > 1)
             sink_print(sink, "    %s:\n", views[i].insn->mnemonic);
         for (size_t k = 0; k < views[i].count; k++)
-            put_operand(sink, &views[i], &views[i].operands[k]);
+            put_operand(sink, object, &views[i], &views[i].operands[k]);
     }
+}
+
+void trap_diagnose(const struct object *object, const char *name, const c205 *machine,
+                   const c205_stop *stop, struct diagnostics *diagnostics)
+{
+    const struct asm_line *line = object ? object_line(object, stop->pc) : NULL;
+    struct position position = { .file = name };
+    c205_error text;
+    if (line)
+        position = asm_line_position(line);
+    c205_describe_stop(machine, stop, &text);
+    diagnostics_add(diagnostics, SEVERITY_ERROR, &position, text.message);
 }
 
 void trap_report(const struct object *object, const char *name, const c205 *machine,
                  const c205_stop *stop, const struct sink *sink)
 {
-    const struct asm_line *line = object ? object_line(object, stop->pc) : NULL;
-    struct position position = { .file = name };
     struct diagnostics diagnostics = { 0 };
-    c205_error text;
-    if (line)
-        position = asm_line_position(line);
-    c205_describe_stop(machine, stop, &text);
-    diagnostics_add(&diagnostics, SEVERITY_ERROR, &position, text.message);
+    trap_diagnose(object, name, machine, stop, &diagnostics);
     diagnostics_put(&diagnostics, sink);
     diagnostics_free(&diagnostics);
     if (stop->insn && stop->trap != C205_TRAP_CLOCK_LIMIT)
-        trap_report_operands(machine, stop->pc, sink);
+        trap_report_operands(object, machine, stop->pc, sink);
 }

@@ -78,7 +78,7 @@ TEST(values)
         { "x mask", "1 at mask" },
         { "x third", "             0.5               2" },
         { "x/2b mask", "10" },
-        { "info operands", "[r20]: bits from" },
+        { "info operands", "[bits (r20)]: bits from" },
         { "list here, 1", "here:" },
         { "disassemble here, 2", "LODH" },
         { "help", "reverse-continue" },

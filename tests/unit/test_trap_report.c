@@ -37,21 +37,25 @@ TEST(rules)
           "address 40: no memory is mapped there", "\n     LOD [r1], r2\n",
           "    r1 = X'0000 0000 0000 0040' (64)\n");
     CHECK(DATA " MPYSV [a, o], [b], [c]\n", "test.s:12:2: error: trap bad-descriptor",
-          "an offset must not be negative", "    [r10, r13]: its offset is negative\n",
-          "    [r11]: 3 words from 800000 on\n");
+          "an offset must not be negative",
+          "    [a (r10), o (r13)]: its offset is negative\n",
+          "    [b (r11)]: 3 words from 800000 on\n");
     CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
     CHECK(DATA " SWAP [a], r254, [r0]\n", "must end at r255 or below");
     CHECK(DATA " MRKO a, r0, [c]\n", "at least one bit");
     CHECK(" .half X'DA00 000A', 11\n", "trap undefined-instruction",
           "a sum in two registers must begin with an even register");
     CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n", "trap misaligned-operand",
-          "words must be at multiples of 64 bits", "[r12]: 2 words from 800020 on");
+          "words must be at multiples of 64 bits", "[c (r12)]: 2 words from 800020 on");
     CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n",
           "instructions must be at multiples of 32 bits");
     CHECK(DATA " EX a, x + 32\n ELEN a, 2\n EXIT a, r0, 6\n",
           "printed words at multiples of 64");
     CHECK(" EXIT r1, r2, 99\n", "trap bad-request",
           "a monitor request must be between 0 and 7");
+    CHECK(DATA " EX c, 64\n ES c, 64\n MPYSV [a, o], [b], [c]\n",
+          "an offset must not be negative",
+          "    [c (r12)]: 0 words from 40 on; its length was not set\n");
     CHECK(DATA " BIM .\n", "trap clock-limit");
 }
 
@@ -73,7 +77,7 @@ TEST(links)
           "must have no result offset");
     CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [a], [b], [c]"),
           "must be the result of the first", "    MPYSV:\n", "    ADDNV:\n",
-          "    r13 = X'0000 FFFF FFFF FFFF' (-1)\n");
+          "    o (r13) = X'0000 FFFF FFFF FFFF' (-1)\n");
     CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [c, o], [b], [c]"),
           "the linked source must have no offset");
     CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"),

@@ -8,6 +8,7 @@
 #ifndef WEB_ENGINE_ENGINE_INTERNAL_H
 #define WEB_ENGINE_ENGINE_INTERNAL_H
 
+#include "asm/check/runtime_check.h"
 #include "asm/debug/debugger_state.h"
 #include "asm/debug/execution_control.h"
 #include "asm/measure/line_profile.h"
@@ -50,6 +51,17 @@ struct printed {
     bool cut; /* output after the last mark was dropped */
 };
 
+/* ---- Warnings of a run ------------------------------------------------------ */
+
+/* The runtime checks of a program. Each step is checked the first time that it is
+ * executed. */
+struct run_checks {
+    struct runtime_checker *checker; /* NULL: out of memory */
+    uint64_t checked;                /* number of checked steps */
+    size_t count;
+    uint64_t *steps; /* the number of checked steps when each warning was found */
+};
+
 /* ---- An execution -------------------------------------------------------- */
 
 struct execution {
@@ -90,6 +102,7 @@ struct engine {
     c205_model *model;
     struct debugger *debugger;
     uint64_t bound; /* maximum clocks of an execution or a run */
+    struct run_checks checks;
     struct printed printed;
     struct text_buffer said;        /* reports of the debugger that no reply contains
                                        yet */
@@ -157,7 +170,9 @@ char *copy_of(const char *text);
 /* ---- Programs (program.c) ------------------------------------------------ */
 
 void program_drop(struct engine *engine);
+/* put_diagnostics writes a list of diagnostics, put_diagnostic one element of it. */
 void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply);
+void put_diagnostic(const struct diagnostic *diagnostic, struct json *reply);
 /* Reads "defines" and "files" of a request into an arena. */
 bool take_options(const struct json_value *request, struct arena *arena,
                   struct asm_options *options, c205_error *error);
@@ -187,6 +202,17 @@ void printed_forget(struct printed *printed, uint64_t step);
 size_t printed_until(const struct printed *printed, uint64_t step);
 /* Returns true if output up to a step was dropped. */
 bool printed_is_cut(const struct printed *printed, uint64_t step);
+
+/* ---- Warnings of a run (warnings.c) ---------------------------------------- */
+
+/* Starts the runtime checks of a program at its start. Returns false if memory is
+ * exhausted. */
+bool warnings_begin(struct engine *engine, c205_error *error);
+void warnings_drop(struct engine *engine);
+c205_listener warnings_listen;
+/* Writes the diagnostics of the run up to the current step: its warnings, and the trap
+ * that ended it. */
+bool put_warnings(const struct engine *engine, struct json *reply, c205_error *error);
 
 /* ---- Views (view.c, registers.c, instruction.c) -------------------------- */
 

@@ -35,20 +35,23 @@ static size_t length_of(const struct diagnostic *diagnostic)
     return length > 0 ? length : 1;
 }
 
+void put_diagnostic(const struct diagnostic *diagnostic, struct json *reply)
+{
+    json_object(reply, NULL);
+    json_text(reply, "severity", severity_name(diagnostic->severity));
+    json_text(reply, "file", diagnostic->file ? diagnostic->file : "");
+    json_count(reply, "line", diagnostic->line);
+    json_count(reply, "column", diagnostic->column);
+    json_count(reply, "length", length_of(diagnostic));
+    json_text(reply, "message", diagnostic->message ? diagnostic->message : "");
+    json_end(reply);
+}
+
 void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply)
 {
     json_array(reply, "diagnostics");
-    for (size_t i = 0; i < diagnostics->count; i++) {
-        const struct diagnostic *diagnostic = &diagnostics->items[i];
-        json_object(reply, NULL);
-        json_text(reply, "severity", severity_name(diagnostic->severity));
-        json_text(reply, "file", diagnostic->file ? diagnostic->file : "");
-        json_count(reply, "line", diagnostic->line);
-        json_count(reply, "column", diagnostic->column);
-        json_count(reply, "length", length_of(diagnostic));
-        json_text(reply, "message", diagnostic->message ? diagnostic->message : "");
-        json_end(reply);
-    }
+    for (size_t i = 0; i < diagnostics->count; i++)
+        put_diagnostic(&diagnostics->items[i], reply);
     json_end(reply);
 }
 
@@ -235,14 +238,15 @@ static void forget_printed(struct printed *printed)
 
 enum { MAX_HISTORY = 64 << 20 }; /* bytes; the page of a browser has little memory */
 
-/* Creates the machine and adds the listener of replays. */
+/* Creates the machine and adds the listeners of replays and of warnings. */
 static c205 *make_machine(void *context, c205_error *error)
 {
     struct engine *engine = context;
     c205 *machine = c205_new(engine->model, error);
     if (machine && object_check(engine->object, error)
         && c205_load(machine, &engine->object->program, error)
-        && c205_listen(machine, replay_listen, engine))
+        && c205_listen(machine, replay_listen, engine)
+        && c205_listen(machine, warnings_listen, engine))
         return machine;
     c205_free(machine);
     return NULL;
@@ -269,6 +273,7 @@ static bool make_debugger(struct engine *engine, c205_error *error)
 void program_drop(struct engine *engine)
 {
     debugger_free(engine->debugger);
+    warnings_drop(engine);
     object_free(engine->object);
     c205_model_free(engine->model);
     free(engine->name);
@@ -349,7 +354,8 @@ static bool begin_program(struct engine *engine, const char *name,
     engine->object = object;
     engine->model = model;
     engine->name = copy_of(name);
-    if (engine->name ? make_debugger(engine, error) : error_set(error, "out of memory"))
+    if (engine->name ? make_debugger(engine, error) && warnings_begin(engine, error)
+                     : error_set(error, "out of memory"))
         return true;
     program_drop(engine);
     return false;

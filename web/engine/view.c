@@ -148,5 +148,5 @@ bool answer_view(struct engine *engine, const struct json_value *request,
     put_registers(engine, all, reply);
     return put_last_insn(engine, reply, error) && put_accounts(engine, reply, error)
            && put_vectors(engine, request, reply, error)
-           && put_printed(engine, reply, error);
+           && put_printed(engine, reply, error) && put_warnings(engine, reply, error);
 }

@@ -2,6 +2,7 @@
 // output of the program.
 
 import { $, count } from "./dom.js";
+import { faultSentence } from "./faults.js";
 
 const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 // Maps the id of each button to the value of "how" in the request "go".
@@ -9,7 +10,7 @@ const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", c
   "reverse-continue": "reverse-continue" };
 const STOP_REASONS = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
   limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
-const STATUS_CLASS = { trap: "bad", limit: "bad", end: "good" };
+const STATUS_CLASS = { limit: "bad", end: "good" };
 
 export function setStatus(words, kind = "") {
   $("status").textContent = words;
@@ -20,9 +21,10 @@ export function setStatus(words, kind = "") {
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
 // Reports the end of a run or a step.
-function reportRun(reply) {
+function reportRun(reply, { name, view }) {
   if (!reply.ok) return setStatus(reply.error, "bad");
   if (reply.stopped) return setStatus("Stopped by you.");
+  if (reply.why === "trap") return setStatus(faultSentence(view.diagnostics.at(-1), name), "bad");
   setStatus(sentence(reply.message) || STOP_REASONS[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
     STATUS_CLASS[reply.why]);
 }
@@ -66,7 +68,7 @@ export function makeBar(session) {
   session.on("loaded", (reply) => { if (!reply.ok) update(null); });
   session.on("view", update);
   session.on("busy", showBusy);
-  session.on("moved", reportRun);
+  session.on("moved", (reply) => reportRun(reply, session));
   session.on("progress", ({ step, clock }) => {
     if (performance.now() - last < PROGRESS_INTERVAL) return;
     last = performance.now();

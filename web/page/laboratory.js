@@ -3,6 +3,7 @@
 // n-half. The engine computes all figures.
 
 import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
+import { faultItem } from "./faults.js";
 
 const POINTS = 25;
 const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
@@ -61,6 +62,8 @@ export function makeLaboratory(panel, session, comparablePrograms) {
     stop.hidden = true;
     if (!reply.ok || reply.stopped) {
       progress.textContent = reply.error ?? "Stopped.";
+      fill(result, reply.diagnostics && el("ul", { class: "faults" },
+        reply.diagnostics.map((fault) => faultItem(fault, null))));
       return;
     }
     progress.textContent = "";

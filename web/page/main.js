@@ -6,6 +6,7 @@ import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
 import { $, choices, count, el, fill, storage, some } from "./dom.js";
 import { makeEditor } from "./editor.js";
+import { faultItem } from "./faults.js";
 import { makeInstruction } from "./instruction.js";
 import { makeKeys } from "./keys.js";
 import { makeLaboratory } from "./laboratory.js";
@@ -83,23 +84,29 @@ function comparablePrograms() {
 // --- Text: errors, the current line, clocks of lines ---------------------------------
 
 session.on("loaded", (reply) => {
-  const diagnostics = reply.diagnostics ?? [];
-  const errors = diagnostics.filter(({ severity }) => severity === "error").length;
-  editor.showDiagnostics(diagnostics.filter(({ file }) => file === session.name));
+  const errors = (reply.diagnostics ?? []).filter(({ severity }) => severity === "error").length;
+  listFaults(reply.diagnostics ?? []);
   editor.markLine(0);
-  $("faults").hidden = diagnostics.length === 0;
-  fill($("faults"), diagnostics.map(fault));
   $("machine").classList.toggle("lost", !reply.ok);
   if (reply.ok) setStatus("Ready. Run it, or go step by step.");
   else setStatus(errors > 0 ? `${some(errors, "error")}: the program cannot run yet.` : reply.error, "bad");
 });
 
-const fault = ({ severity, file, line, column, message }) => el("li", { class: severity },
-  file === session.name
-    ? el("button", { type: "button", click: () => editor.toLine(line, column) }, `line ${line}`)
-    : ` ${file}:${line}`, " ", message);
+// Lists errors and warnings below the program, and marks their lines.
+let listed = "";
+function listFaults(faults) {
+  const all = JSON.stringify([session.name, faults]);
+  if (all === listed) return;
+  listed = all;
+  editor.showDiagnostics(faults.filter(({ file }) => file === session.name));
+  $("faults").hidden = faults.length === 0;
+  fill($("faults"), faults.map((fault) => faultItem(fault, session.name, (...place) => editor.toLine(...place))));
+}
 
-session.on("view", ({ ended, line }) => editor.markLine(ended ? 0 : line));
+session.on("view", ({ ended, line, diagnostics }) => {
+  listFaults([...session.loaded.diagnostics, ...diagnostics]);
+  editor.markLine(ended ? 0 : line);
+});
 session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 

@@ -117,6 +117,17 @@ function checkTimeline(path, model) {
   }
 }
 
+// c205 run prints the warnings and the trap that the page lists.
+function checkWarnings(path, model, diagnostics) {
+  const { stderr } = native("run", path, "--model", model);
+  for (const { severity, message } of diagnostics) {
+    const [first] = message.split("\n");
+    verdict(stderr.includes(`${severity}: ${first}\n`), `${path}: only the engine reports: ${message}`);
+  }
+  const count = diagnostics.filter(({ severity }) => severity === "warning").length;
+  same(stderr.split(": warning: ").length - 1, count, `${path}: number of warnings`);
+}
+
 function checkProgram(path) {
   const program = source(path);
   const loaded = engine.answer({ do: "load", ...program });
@@ -135,6 +146,7 @@ function checkProgram(path) {
   same(stderr.slice(0, view.printed.length), view.printed, `${path}: printed`);
   if (view.trap === "none" && view.status === 0) same(stderr, view.printed, `${path}: printed`);
   same(json.lines, finish(engine, { do: "profile", ms: 20 }).lines, `${path}: profile`);
+  checkWarnings(path, model, [...loaded.diagnostics, ...view.diagnostics]);
   checkRegisters(path, model);
   checkTimeline(path, model);
   checkWalk(path, program, end.step);
