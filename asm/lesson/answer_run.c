@@ -85,12 +85,11 @@ static void assemble(struct answer_run *run)
 {
     const struct asm_define *defines = run->test->defines;
     struct asm_options options = { .defines = defines, .sealed = true };
-    struct diagnostics said = { 0 };
     c205_error why;
-    run->object = assemble_bytes(run->name, run->text, run->length, &options, &said);
-    if (!run->object && !find_redefined(run, &said, defines))
-        print_errors(run, &said, defines);
-    diagnostics_free(&said);
+    run->object = assemble_bytes(run->name, run->text, run->length, &options,
+                                 &run->said);
+    if (!run->object && !find_redefined(run, &run->said, defines))
+        print_errors(run, &run->said, defines);
     if (run->object && !object_check(run->object, &why)) {
         report_printf(run->report, "It cannot run: %s.", why.message);
         object_free(run->object);
@@ -106,6 +105,19 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
     printer_listen(&run->printer, machine, event);
     if (run->printed.length > MAX_PRINTED)
         c205_pause(run->machine);
+}
+
+/* Starts the runtime checks if the warnings are wanted. */
+static bool start_checks(struct answer_run *run)
+{
+    static const struct warning_choice all;
+    if (!run->checked)
+        return true;
+    run->checks = runtime_new(run->object, run->name, &all, NULL);
+    if (!run->checks || !c205_listen(run->machine, runtime_listen, run->checks))
+        return no_memory(run->error);
+    runtime_begin(run->checks, run->machine);
+    return true;
 }
 
 /* Loads the answer. The test, not the answer, determines whether pages are warm. */
@@ -201,12 +213,14 @@ bool answer_run(struct answer_run *run)
         return true;
     if (run->spoilt)
         test_data_spoil(&run->data, run->spoilt);
-    return execute(run);
+    return start_checks(run) && execute(run);
 }
 
 void answer_run_free(struct answer_run *run)
 {
     text_buffer_free(&run->printed);
+    diagnostics_free(&run->said);
+    runtime_free(run->checks);
     line_profile_free(run->profile);
     c205_free(run->machine);
     object_free(run->object);
@@ -248,4 +262,54 @@ bool answer_is_right(struct answer_run *run)
 {
     bool right = run->ended && test_data_end(&run->data);
     return run->ended && check_expected(run) && right;
+}
+
+/* ---- The warnings ---------------------------------------------------------- */
+
+/* Returns true if a trial of the verdict, other than the last report, begins with the
+ * same sentence as the report. */
+static bool is_reported(const struct lesson_verdict *verdict,
+                        const struct lesson_report *report)
+{
+    for (size_t i = 0; i < verdict->count; i++) {
+        const struct lesson_report *other = &verdict->trials[i].report;
+        if (other != report && other->count > 0 && report->count > 0
+            && strcmp(other->sentences[0], report->sentences[0]) == 0)
+            return true;
+    }
+    return false;
+}
+
+static void put_warnings(const struct diagnostics *diagnostics, const struct sink *sink)
+{
+    for (size_t i = 0; i < diagnostics->count; i++)
+        if (diagnostics->items[i].severity == SEVERITY_WARNING)
+            diagnostic_put(&diagnostics->items[i], sink);
+}
+
+void answer_report_warnings(const struct answer_run *run,
+                            const struct lesson_verdict *verdict)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    struct lesson_report *report = run->report;
+    size_t heading, count = report->count;
+    sink_put(&sink, "Look at these warnings first:\n");
+    heading = text.length;
+    put_warnings(&run->said, &sink);
+    if (run->checks)
+        put_warnings(runtime_found(run->checks), &sink);
+    if (text.length == heading) {
+        text_buffer_free(&text);
+        return;
+    }
+    report_buffer(report, &text);
+    if (report->count == count)
+        return;
+    report_first(report);
+    if (is_reported(verdict, report)) {
+        report->count--;
+        memmove(report->sentences, report->sentences + 1,
+                report->count * sizeof *report->sentences);
+    }
 }

@@ -50,6 +50,7 @@ static bool try_case(struct grading *grading, struct lesson_trial *trial,
                               .text = grading->text,
                               .length = grading->length,
                               .test = test,
+                              .checked = true,
                               .report = &trial->report,
                               .general = &verdict->report,
                               .kept = &verdict->kept,
@@ -57,6 +58,8 @@ static bool try_case(struct grading *grading, struct lesson_trial *trial,
     bool good = answer_run(&run);
     if (good)
         judge(trial, &run);
+    if (good && !trial->right && run.object)
+        answer_report_warnings(&run, verdict);
     answer_run_free(&run);
     return good;
 }
@@ -253,8 +256,9 @@ static bool try_tests(struct grading *grading)
                                  grading->length, grading->error);
 }
 
-/* Grades an answer. The warnings of the assembler are reported if the answer has not
- * passed, because they may explain the failure. */
+/* Grades an answer. A test that is not right reports the warnings of the answer. If the
+ * answer cannot run in the tests, those of the assembler are reported here, because they
+ * may explain the failure. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   struct lesson_draws draws, const char *name, const char *text,
                   size_t length, c205_error *error)
@@ -283,7 +287,7 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
         test_case_close(&grading.tests[i]);
     if (object && good && draws.count > 0)
         lesson_compare_code(verdict, object);
-    if (object && !verdict->passed && said.count > 0)
+    if (object && !verdict->graded && said.count > 0)
         report_diagnostics(&verdict->report, "The assembler warns:", &said,
                            SEVERITY_WARNING);
     diagnostics_free(&said);

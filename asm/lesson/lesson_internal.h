@@ -3,6 +3,7 @@
 #ifndef ASM_LESSON_LESSON_INTERNAL_H
 #define ASM_LESSON_LESSON_INTERNAL_H
 
+#include "asm/check/runtime_check.h"
 #include "asm/lesson/lesson.h"
 #include "asm/measure/line_profile.h"
 #include "asm/text/assemble.h"
@@ -22,6 +23,8 @@ void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
 /* Reports a sentence and all diagnostics of a severity. */
 void report_diagnostics(struct lesson_report *report, const char *sentence,
                         const struct diagnostics *said, enum severity severity);
+/* Moves the last sentence before all others. */
+void report_first(struct lesson_report *report);
 /* Returns a source line without leading blanks. */
 const char *lesson_source(const char *line);
 
@@ -106,6 +109,7 @@ struct answer_run {
     const char
         *spoilt;    /* label of an input that is replaced by LESSON_POISON, or NULL */
     uint64_t limit; /* maximum clocks; 0: those of the test */
+    bool checked;   /* collect the warnings of the answer */
     struct lesson_report *report, *general; /* reports about this test, and about all
                                                tests */
     struct arena *kept;
@@ -117,6 +121,8 @@ struct answer_run {
     struct lesson_test_data data;
     struct printer printer;
     struct text_buffer printed;
+    struct diagnostics said;        /* warnings of the assembler */
+    struct runtime_checker *checks; /* warnings of the run; NULL: not checked */
     c205_stop stop;
     uint64_t clocks;
     bool ended; /* the run ended as expected */
@@ -127,6 +133,10 @@ struct answer_run {
 bool answer_run(struct answer_run *run);
 /* Returns true if the results are correct, and otherwise reports them. */
 bool answer_is_right(struct answer_run *run);
+/* Reports the warnings before all other sentences, unless the trial of an earlier test
+ * has reported the same. */
+void answer_report_warnings(const struct answer_run *run,
+                            const struct lesson_verdict *verdict);
 void answer_run_free(struct answer_run *run);
 
 /* ---- fresh.c: tests with new inputs ------------------------------------------ */

@@ -40,6 +40,17 @@ void report_printf(struct lesson_report *report, const char *format, ...)
     report_text(report, text);
 }
 
+void report_first(struct lesson_report *report)
+{
+    const char *last;
+    if (report->count == 0)
+        return;
+    last = report->sentences[report->count - 1];
+    memmove(report->sentences + 1, report->sentences,
+            (report->count - 1) * sizeof *report->sentences);
+    report->sentences[0] = last;
+}
+
 const char *lesson_source(const char *line)
 {
     while (isspace((unsigned char)*line))
