@@ -2,6 +2,7 @@
 #include "asm/text/statement.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,6 +107,25 @@ static bool parse_bracket(struct cursor *cursor, const struct operand *operand,
            && expect_operator(cursor, ']', "']'");
 }
 
+/* Reports a vector at a scalar operand, and suggests the vector form of the
+ * instruction: SUBNV for SUBN, ADDNV,H for ADDNH. */
+static bool expected_scalar(struct cursor *cursor)
+{
+    static const char what[] = "a register without brackets";
+    const struct instruction *writing = cursor->assembler->writing;
+    const char *mnemonic = writing ? writing->insn->mnemonic : "";
+    size_t length = strlen(mnemonic);
+    bool half = length > 1 && mnemonic[length - 1] == 'H';
+    char name[16];
+    snprintf(name, sizeof name, "%.*sV", (int)(length - half), mnemonic);
+    if (length == 0 || !c205_insn_named(name, strlen(name)))
+        return expected(cursor, what);
+    return report_at(cursor, cursor->token.begin,
+                     "expected %s, found '['; did you mean %s%s, which operates on "
+                     "vectors?",
+                     what, name, half ? SYNTAX_HALF : "");
+}
+
 static bool parse_unsigned(struct cursor *cursor, const struct operand *operand,
                            c205_fields *fields)
 {
@@ -113,7 +133,7 @@ static bool parse_unsigned(struct cursor *cursor, const struct operand *operand,
         || (operand->kind == OPERAND_SOURCE && cursor_at(cursor, '[')))
         return parse_bracket(cursor, operand, fields);
     if (operand->kind == OPERAND_REGISTER && cursor_at(cursor, '['))
-        return expected(cursor, "a register without brackets");
+        return expected_scalar(cursor);
     if (operand->kind == OPERAND_SOURCE && cursor->token.kind != TOKEN_NAME)
         return expected(cursor, "a vector [..] or a register");
     fields->g |= operand->broadcast;

@@ -11,9 +11,14 @@ enum suggestion {
     SUGGEST_VALUE     /* a label or a constant */
 };
 
-/* Returns a known name of a kind that is similar to a misspelt name, or NULL. */
+/* Returns a known name of a kind that is similar to a misspelt name, or NULL. Never
+ * returns a comparison with another relation. */
 const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
                     size_t length);
+
+/* Returns what this machine has instead of an instruction of another machine, or NULL if
+ * the name is not known (foreign.c). */
+const char *foreign_advice(const char *name, size_t length);
 
 /* Reports that `what` was expected instead of the next token, and suggests a name.
  * Returns false. */

@@ -102,6 +102,14 @@ static const struct asm_error wrong_texts[] = {
     { "; expect-model: a\n; expect-model: b\n", 2, 17, "already defined, in test.s:1" },
     /* Suggestions. */
     { " ADDVN [r1], [r2], [r3]\n", 1, 2, "did you mean ADDNV?" },
+    { " SUBN [r1], r2, r3\n", 1, 7,
+      "did you mean SUBNV, which operates on vectors?" },
+    { " ADDNH [r1], h2, h3\n", 1, 8, "did you mean ADDNV,H, which operates" },
+    { " mul r1, r2, r3\n", 1, 2,
+      "found 'mul'; MPYS multiplies numbers, MPYX multiplies integers" },
+    { " HALT\n", 1, 2, "; EXIT ends the program" },
+    { " CMPGTV [r1], [r2], [r3]\n", 1, 2, "; exchange the sources and use CMPLTV" },
+    { " CMPLVT [r1], [r2], [r3]\n", 1, 2, "did you mean CMPLTV?" },
     { " .dta\n", 1, 2, "did you mean .data?" },
     { " .incldue \"core.s\"\n", 1, 2, "did you mean .include?" },
     { " .edif\n", 1, 2, "did you mean .endif?" },
@@ -228,4 +236,41 @@ TEST(all_of_a_line)
     ALL(" .word 1, ), 2+, 4, *\n", { NULL, 1, 11, "found ')'" },
         { NULL, 1, 16, "found ','" }, { NULL, 1, 21, "found '*'" });
     ALL(" .word one + two\n", { NULL, 1, 8, "'one'" }, { NULL, 1, 14, "'two'" });
+}
+
+/* A misspelt comparison never suggests a comparison with another relation, and each name
+ * of another machine has its advice. */
+TEST(advice)
+{
+    static const char *const foreign[] = { "MUL",    "ADD",  "SUB",  "DIV",   "MOV",
+                                           "LD",     "ST",   "LI",   "JMP",   "NOP",
+                                           "RET",    "CALL", "HALT", "CMPGT", "CMP",
+                                           "SCHLEV", "bgt" };
+    static const char *const relations[] = { "EQ", "NE", "GE", "GT", "LE", "LT" };
+    static const char *const shapes[] = { "CMP%sV", "SEL%sV", "SCH%sV", "B%s",
+                                          "BH%s",   "CFP%s",  "IBX%s",  "CPM%sV",
+                                          "CM%sV",  "CMP%s",  "SEL%s",  "SCHH%sV",
+                                          "B%sZ",   "IBX%sX", "CFPP%s" };
+    for (size_t i = 0; i < COUNT(foreign); i++) {
+        SCOPED_VALUE(diagnostics) said = { 0 };
+        assert_null(assemble_text("test.s", formatted(" %s r1, r2\n", foreign[i]), NULL,
+                                  &said));
+        assert_true(strstr(said.items[0].message, "; "));
+        FAIL_IF(strstr(said.items[0].message, "did you mean"), "%s",
+                said.items[0].message);
+    }
+    for (size_t i = 0; i < COUNT(shapes); i++)
+        for (size_t k = 0; k < COUNT(relations); k++) {
+            char name[16];
+            snprintf(name, sizeof name, shapes[i], relations[k]);
+            if (c205_insn_named(name, strlen(name)))
+                continue;
+            SCOPED_VALUE(diagnostics) said = { 0 };
+            assert_null(
+                assemble_text("test.s", formatted(" %s r1, r2\n", name), NULL, &said));
+            const char *meant = strstr(said.items[0].message, "did you mean ");
+            for (size_t other = 0; meant && other < COUNT(relations); other++)
+                FAIL_IF(strstr(meant, relations[other]) && !strstr(meant, relations[k]),
+                        "%s", said.items[0].message);
+        }
 }
