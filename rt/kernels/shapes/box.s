@@ -9,10 +9,10 @@
 ; Record: least corner 3, greatest 3, centre 3, half edge 3.
 ; Source: the slab method (Kay and Kajiya 1986 describe it in this form).
 
-        saves   box, 26, r52                    ; after t3
+        shape_record box, 6, 52                 ; after t3
         .kernel box
 box:
-        enter_shape box, 6
+        enter_shape box
         ray_set minus_big, tin
         ray_set big, tout
         slab    ox, dx, sh0, sh3, box_missed

@@ -34,7 +34,7 @@
 ; o_along and d_along, origin and direction along w, shift, the shift of the
 ; origin, and quad_a = a.  k_along > 0: a ray with a <= 0 ends inside.
         .macro  cone_side miss
-        enter_shape cone, 15
+        enter_shape cone
         three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t0, t1, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
         dot_constants t0, t1, t2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t7, t8, o_along, t3, t4, t5, t6
@@ -61,7 +61,7 @@
         cone_roots \miss
         .endm
 
-        saves   cone, 48, r65                   ; after k_along
+        shape_record cone, 15, 65               ; after k_along
         .kernel cone
 cone:
         cone_side cone_missed

@@ -89,13 +89,13 @@ side_crossed\@:
         .endm
 
         .macro  find_clipped miss
-        enter_shape clipped, 15
+        enter_shape clipped
         find_side \miss
         clip    sh7, sh8, sh9, sh10, one, \miss
         clip    sh11, sh12, sh13, sh14, two, \miss
         .endm
 
-        saves   clipped, 46, r63
+        shape_record clipped, 15, 63
         .kernel cylinder
 clipped_cylinder:
         find_clipped clipped_missed

@@ -40,10 +40,10 @@
         candidate_not_above t3, sh12, t2
         .endm
 
-        saves   in_frame, 44, r62               ; after quad_c
+        shape_record in_frame, 14, 62           ; after quad_c
         .kernel cylinder
 cylinder:
-        enter_shape in_frame, 14
+        enter_shape in_frame
         into_frame
         ray_times t0, t0, quad_a
         ray_times t1, t1, t2

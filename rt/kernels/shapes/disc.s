@@ -22,10 +22,10 @@
         ray_plus t3, \into, \into
         .endm
 
-        saves   disc, 31, r55                   ; after t6
+        shape_record disc, 9, 55, tiny          ; after t6
         .kernel disc
 disc:
-        enter_shape disc, 9, tiny
+        enter_shape disc, tiny
         intersect_plane disc_missed
         disc_axis ox, dx, sh4, t4
         disc_axis oy, dy, sh5, t5

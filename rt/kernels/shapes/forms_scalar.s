@@ -50,8 +50,15 @@
         .code
         .endm
 
-        .macro  enter_shape shape, words, first=one
-        enter_kernel \shape\()_save, \shape\()_registers, \words, \first
+; A shape reads `words` words of its record into registers from `at` on, and
+; saves the registers from `first` up to these.
+        .macro  shape_record shape, words, at, first=one
+        .equ    \shape\()_words, \words
+        saves   \shape, \at + \words - 32 - (image_\first - kernel_image) / 64, r\at
+        .endm
+
+        .macro  enter_shape shape, first=one
+        enter_kernel \shape\()_save, \shape\()_registers, \shape\()_words, \first
         .endm
 
         .macro  enter_columns shape, words

@@ -64,11 +64,15 @@
 
 ; ---- Begin and end -----------------------------------------------------------
 
-; Declares what the scalar form saves.
+; Declare what the scalar form saves.
         no_code saves
 
-        .macro  enter_shape shape, words, first=one
-        load_record P_SHAPE, \words, sh0
+        .macro  shape_record shape, words, at, first=one
+        .equ    \shape\()_words, \words
+        .endm
+
+        .macro  enter_shape shape, first=one
+        load_record P_SHAPE, \shape\()_words, sh0
         .endm
 
         .macro  enter_columns shape, words

@@ -21,10 +21,10 @@
         divide_unless_parallel t0, t1, t2, \parallel
         .endm
 
-        saves   plane, 22, r51                  ; after t2
+        shape_record plane, 4, 51, tiny         ; after t2
         .kernel plane
 plane:
-        enter_shape plane, 4, tiny
+        enter_shape plane, tiny
         intersect_plane plane_parallel
         leave_on_half_line t1, r0, t2, tiny
         parallel_rays plane_parallel, plane_crossed

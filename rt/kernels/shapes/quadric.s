@@ -24,7 +24,7 @@
 
 ; Computes a, b, c, and t2 = b^2 - a c.
         .macro  quadric_polynomial
-        enter_shape quadric, 13, index_one
+        enter_shape quadric, index_one
         three   ray_lower, ox, oy, oz, sh0, sh1, sh2, t0, t1, t2
         closest_approach t0, t1, t2, t0, t1, t2, shift, t3, t4
         times_matrix dx, dy, dz, t7, t8, t9, t3, t4, t5, t6
@@ -38,7 +38,7 @@
         discriminant quad_a, quad_b, quad_c, t2, t0
         .endm
 
-        saves   quadric, 41, r62                ; after quad_c
+        shape_record quadric, 13, 62, index_one ; after quad_c
         .kernel quadric
 quadric:
         quadric_polynomial
