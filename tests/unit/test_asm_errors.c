@@ -102,8 +102,7 @@ static const struct asm_error wrong_texts[] = {
     { "; expect-model: a\n; expect-model: b\n", 2, 17, "already defined, in test.s:1" },
     /* Suggestions. */
     { " ADDVN [r1], [r2], [r3]\n", 1, 2, "did you mean ADDNV?" },
-    { " SUBN [r1], r2, r3\n", 1, 7,
-      "did you mean SUBNV, which operates on vectors?" },
+    { " SUBN [r1], r2, r3\n", 1, 7, "did you mean SUBNV, which operates on vectors?" },
     { " ADDNH [r1], h2, h3\n", 1, 8, "did you mean ADDNV,H, which operates" },
     { " mul r1, r2, r3\n", 1, 2,
       "found 'mul'; MPYS multiplies numbers, MPYX multiplies integers" },

@@ -90,7 +90,7 @@ struct argument {
     struct scene_value value;
 };
 
-struct call {
+struct scene_call {
     struct scene_macro macro; /* a copy, because an argument may redefine the macro */
     struct scene_token at;
     size_t count;
@@ -116,7 +116,7 @@ static bool read_argument(struct reader *reader, struct argument *argument)
     return true;
 }
 
-static bool read_arguments(struct reader *reader, struct call *call)
+static bool read_arguments(struct reader *reader, struct scene_call *call)
 {
     const struct scene_macro *macro = &call->macro;
     while (call->count < macro->count) {
@@ -135,7 +135,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
 }
 
 /* Declares the parameters of the macro in the scope of its body. */
-static bool bind(struct reader *reader, struct call *call)
+static bool bind(struct reader *reader, struct scene_call *call)
 {
     const char *fault = NULL;
     for (size_t i = 0; i < call->count && !fault; i++) {
@@ -155,7 +155,7 @@ static bool bind(struct reader *reader, struct call *call)
 
 /* Opens a frame for the body. The current token is the closing bracket, so that the
  * body is read before the text after the bracket. */
-static bool enter_body(struct reader *reader, struct call *call)
+static bool enter_body(struct reader *reader, struct scene_call *call)
 {
     const struct scene_macro *macro = &call->macro;
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
@@ -170,7 +170,7 @@ static bool enter_body(struct reader *reader, struct call *call)
     return true;
 }
 
-static void call_free(struct call *call)
+static void call_free(struct scene_call *call)
 {
     for (size_t i = 0; i < call->count; i++) {
         struct argument *argument = &call->arguments[i];
@@ -180,11 +180,11 @@ static void call_free(struct call *call)
     free(call);
 }
 
-static struct call *new_call(const struct reader *reader)
+static struct scene_call *new_call(const struct reader *reader)
 {
     const struct scene_macro *macro = reader->token.value->is.macro;
-    struct call *call = calloc(1,
-                               sizeof *call + macro->count * sizeof *call->arguments);
+    struct scene_call *call = calloc(1, sizeof *call
+                                            + macro->count * sizeof *call->arguments);
     if (call) {
         call->macro = *macro;
         call->at = reader->token;
@@ -192,7 +192,7 @@ static struct call *new_call(const struct reader *reader)
     return call;
 }
 
-static bool read_call(struct reader *reader, struct call *call)
+static bool read_call(struct reader *reader, struct scene_call *call)
 {
     reader_step(reader);
     if (!reader_require_sign(reader, '('))
@@ -203,7 +203,7 @@ static bool read_call(struct reader *reader, struct call *call)
 
 bool macro_call(struct reader *reader)
 {
-    struct call *call;
+    struct scene_call *call;
     size_t hold = reader_nest(reader);
     bool done;
     if (!reader_enter(reader)) {
