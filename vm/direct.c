@@ -6,7 +6,8 @@
 #include "vm/number/pairs.h"
 #include "vm/vector.h"
 
-/* The destination of the result in the host's memory, with its control vector. */
+/* The destination of an instruction's result in the host's memory, and the control
+ * vector of the instruction. */
 struct direct_result {
     struct c205 *machine;
     size_t n;

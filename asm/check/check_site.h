@@ -67,8 +67,9 @@ void site_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements);
 
-/* runtime_site returns the check site of the instruction at pc. runtime_report reports
- * a warning at a site, once for a source line (runtime_check.c). */
+/* runtime_site returns the struct site of the instruction at address pc. runtime_report
+ * reports a warning about the instruction of a site, unless the same warning was
+ * reported before for the same source line (runtime_check.c). */
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc);
 void runtime_report(struct runtime_checker *watch, const struct site *site,

@@ -105,7 +105,8 @@ static int check_answer(const struct check_command *check, bool *passed)
 
 /* ---- The command ----------------------------------------------------------- */
 
-/* Finds a built-in lesson, or reads a lesson from the folder of that name. */
+/* Finds the lesson that the user names: a built-in lesson, or else the lesson in the
+ * folder with this path. Also reads the tests of the option --tests. */
 static bool find_lesson(struct check_command *check, c205_error *error)
 {
     const char *name = check->args->lesson;

@@ -11,9 +11,10 @@
 #include "rt/bvh/bound.h"
 #include "rt/shapes/primitive.h"
 
-/* A scene with grouped trees. It has its own nodes, regions and bounds, and shares all
- * other data with the original scene. An original node has the bound that bounds.h
- * computes. A group has a bound around its parts. */
+/* A copy of a scene in which the parts of large trees are grouped. The copy has its own
+ * nodes, regions and bounds, and shares all other data with the original scene.
+ * bounds[i] is the bound of node i of the copy. A copied node has the bound that
+ * bounds.h computes, and a new group has a bound around its parts. */
 struct nested_scene {
     struct scene scene;
     struct bound *bounds;

@@ -47,10 +47,10 @@ struct tree_step {
                                  * the steps' values */
 };
 
-/* The steps that compute the value of a node from the values of its children, and the
- * index of the result. The result is the value of the node or of its complement. A node
- * with a bound is not a complement, so its value is false for rays that miss the
- * bound. */
+/* The steps that compute a node from its children. `value` is the index of their
+ * result. For a node without a bound, the result may be the complement of the node's
+ * value. For a node with a bound, the result is always the node's value, which is false
+ * for rays that miss the bound. */
 struct tree_join {
     size_t value, first_step, step_count;
 };

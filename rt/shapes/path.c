@@ -1,4 +1,5 @@
-/* path.c - walks over paths, bounds them and counts their crossings. */
+/* path.c - walks over the edges of a path, bounds the path, and counts the crossings of
+ * a line with the path. */
 #include "rt/shapes/path.h"
 
 #include <math.h>

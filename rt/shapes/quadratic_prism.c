@@ -22,7 +22,8 @@ static const struct shape_field fields[] = {
 
 /* ---- The path ------------------------------------------------------------ */
 
-/* The spline as written. `used` is the number of its points that have been read. */
+/* The points of the spline in the order of the scene file. make_parabolas has already
+ * converted the first `used` of the `count` points. */
 struct spline_points {
     const double (*points)[2];
     size_t count, used;

@@ -66,8 +66,9 @@ static bool may_continue(void *context, const c205 *machine)
                || how->progress(how->context, 0, how->width * how->height));
 }
 
-/* Runs the band from its start until the listener has found its range of clocks, or the
- * band ends. Returns false after an error. */
+/* Runs the program of the pixel's band from its start. Stops when the listener has
+ * stored the range of clocks in `recording` and set recording->done, or when the program
+ * ends. Returns false after an error. */
 static bool on_event(struct recording *recording, c205_listener *listen,
                      c205_error *error)
 {

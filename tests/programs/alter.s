@@ -7,8 +7,8 @@
 
         .regs   r130, count, passes, one
 
-; BAB: goes to C if the bit at address A + B meets the condition of I4; changes
-; the bit as I4 specifies
+; BAB: changes the bit at address A + B as I4 specifies; goes to C if the bit met
+; the condition of I4 before the change
         .macro  BAB.one_bit name, bit, how
         .data
 cell_\name: .word pattern
@@ -32,8 +32,8 @@ BAB.altering:
         register_is BAB, r50, 6
         flags_are BAB, X'0000 0000 0000 0000'
 
-; BADF: goes to C if bit A of the data flag register meets the condition of
-; I4; changes the bit as I4 specifies
+; BADF: changes bit A of the data flag register as I4 specifies; goes to C if the
+; bit met the condition of I4 before the change
         .macro  BADF.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit
@@ -58,8 +58,8 @@ BADF.fault:
         register_is BADF, taken, 1
         flags_are BADF, X'0000 0000 0002 0000'
 
-; BARB: goes to C if bit B of A meets the condition of I4; changes the bit as I4
-; specifies
+; BARB: changes bit B of A as I4 specifies; goes to C if the bit met the condition
+; of I4 before the change
         .macro  BARB.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit

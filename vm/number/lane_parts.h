@@ -226,8 +226,9 @@ static inline int64_t difference(c205_word a, c205_word b)
                          (int64_t)b <= (int64_t)a);
 }
 
-/* Returns the upper sum. If an operand is indefinite, the exponent is out of range,
- * which marks the result as odd, for the exact rule. */
+/* Returns the upper sum. If an operand is indefinite, the exponent of the sum is out of
+ * range. The returned lane is then invalid (its member odd is set), and the function in
+ * arith.h must compute the sum. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = max_word(a, b);

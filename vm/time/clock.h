@@ -50,15 +50,17 @@ void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits);
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
 /* Charges the first count instructions of a block, which have executed; effect combines
- * their effects. The first such call makes the clock lazy. Only clock_now may be called
- * on a lazy clock before clock_materialize. */
+ * their effects. The first such call makes the clock lazy: it no longer updates the
+ * times of registers and units. Only clock_now may be called on a lazy clock.
+ * clock_materialize computes these times again, after which all functions may be
+ * called. */
 void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
                         const struct effect *effect);
 void clock_materialize(struct clock *clock);
 /* Sets block->longest, the maximum time of a new block. */
 void clock_measure(const struct clock *clock, struct code_block *block);
-/* Returns the clock at which everything in flight is done. The clock must not be
- * lazy. */
+/* Returns the clock at which everything in flight is done. After clock_charge_block,
+ * clock_materialize must be called first. */
 uint64_t clock_all_done(const struct clock *clock);
 /* Waits until everything in flight is done, and charges the wait. */
 void clock_drain(struct clock *clock);

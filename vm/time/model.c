@@ -119,8 +119,9 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
                         text);
 }
 
-/* Checks that a value is a valid page size: the size of a small page (reconstructed) or
- * of a large page (primary source). */
+/* Checks that a value is the number of words in a small page or in a large page. The
+ * size of a large page is read in a source, and the sizes of small pages are
+ * reconstructed from memory. */
 static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {
