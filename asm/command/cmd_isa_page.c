@@ -12,21 +12,23 @@ static const struct {
     unsigned bit;
     const char *text, *where;
 } g_bits[] = {
-    { C205_G_HALF, "32-bit operands, written `,H`", "rows with `,H`" },
-    { C205_G_ZEROS, "the control vector acts where it has zeros",
-      "Z among the operands, and not 0" },
-    { C205_G_OFFSET, "register C+1 holds an offset of C and Z",
-      "the result is a vector, not a sparse vector" },
+    { C205_G_HALF, "32-bit operands, written `,H`",
+      "instructions with the suffix `,H`" },
+    { C205_G_ZEROS, "the control vector selects elements at its zeros, not at its ones",
+      "instructions with an operand Z, if Z is not 0" },
+    { C205_G_OFFSET, "register C+1 contains an offset of C and Z",
+      "instructions whose result is a vector, but not a sparse vector" },
     { C205_G_GIVEN, "the order vector Z is given, written `? [z]`",
-      "the result is a sparse vector" },
+      "instructions whose result is a sparse vector" },
     { C205_G_BROADCAST_A, "A is one number, broadcast",
-      "a among the operands, no offset X" },
+      "instructions with a source a, without an offset X" },
     { C205_G_BROADCAST_B, "B is one number, broadcast",
-      "b among the operands, no offset Y" },
-    { C205_G_MAGNITUDE_A, "the magnitude of A (P)", "rows with sign control" },
-    { C205_G_NEGATE_A, "A negated, after the magnitude (R)", "rows with sign control" },
+      "instructions with a source b, without an offset Y" },
+    { C205_G_MAGNITUDE_A, "the magnitude of A (P)", "instructions with sign control" },
+    { C205_G_NEGATE_A, "the negative of A, or of its magnitude (R)",
+      "instructions with sign control" },
     { C205_G_MAGNITUDE_B, "the magnitude of B (P)",
-      "rows with sign control and a source B" },
+      "instructions with sign control and a source B" },
 };
 enum { G_BITS = sizeof g_bits / sizeof *g_bits };
 
@@ -40,9 +42,9 @@ static const struct {
       "available source gives their rules",
       NO_SUCH_CODE },
     { "monitor mode",
-      "exchange of the register file, keys and locks, the instructions for "
-      "the page table: the project has no operating system; the host is the "
-      "monitor",
+      "the exchange of the register file, keys and locks, and the instructions "
+      "for the page table. The project has no operating system, because the host "
+      "is the monitor",
       NO_SUCH_CODE "; an unknown request of [EXIT](#exit): `bad-request`" },
     { "input and output",
       "the machine had none of its own; its channels led to other computers. "
@@ -50,8 +52,9 @@ static const struct {
       "[EXIT](#exit)",
       NO_SUCH_CODE },
     { "interrupts of a program",
-      "automatic branches on the data flags, by their masks, and that of the job "
-      "interval timer: no available source gives their targets or what they save",
+      "branches that the machine takes by itself when a data flag is set or the "
+      "job interval timer reaches zero. No available source gives the targets of "
+      "these branches, or the state that they save",
       "the program must read the flags, bit 36 of the timer among them: "
       "[LSDFR](#lsdfr), [BADF](#badf)" },
     { "32-bit strings of bits, 32-bit branches on a distance",
@@ -114,17 +117,19 @@ static void put_formats(void)
     puts("## Formats\n\n"
          "A drawing shows the fields of a format with their widths in bits, from "
          "bit 0 on the left. F is the operation code, I\n"
-         "an immediate or the distance of a branch, and - an unused field. Each "
-         "other field has the letter of its operand; the\n"
-         "operands are written to the right of the drawing. A capital letter is a "
-         "register field. `[X]` is a register with a\n"
-         "descriptor or an address, and `+X` an optional offset. `a` and `b` are "
-         "sources: `[a]`, `[a, x]` with an offset, or a\n"
-         "register without brackets. `?Z` is an optional control vector, and `!Z` a "
-         "required control vector. The table of each\n"
-         "instruction shows which operands are half registers, `h0` .. `h255`. If "
-         "the instruction allows the suffix `,H` (bit\n"
-         "80 of G), its operands are 32 bits long with this suffix.\n");
+         "is an immediate operand or the distance of a branch, and - is an unused "
+         "field. Every other field has the letter of\n"
+         "its operand, and contains the number of a register. The operands are "
+         "written to the right of the drawing. There,\n"
+         "`[X]` is a register with a descriptor or an address, and `+X` is an "
+         "optional offset. A small letter `a` or `b` is a\n"
+         "source: a vector `[a]`, a vector with an offset `[a, x]`, or a register "
+         "without brackets. `?Z` is an optional\n"
+         "control vector, and `!Z` a required control vector. The table of each "
+         "instruction shows which operands are half\n"
+         "registers, `h0` .. `h255`. If an instruction allows the suffix `,H` (bit "
+         "80 of G), this suffix makes its operands 32\n"
+         "bits long.\n");
     for (int format = 0; format < C205_FORMATS; format++) {
         const c205_insn *insn = first_of((c205_format)format);
         if (insn) {
@@ -142,19 +147,22 @@ static void put_g_bits(void)
     for (size_t i = 0; i < G_BITS; i++)
         printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text, g_bits[i].where);
     printf("\n"
-           "If the code of an instruction is written `9D.02`, the digits after the "
-           "point are bits of G that belong to the\n"
-           "operation. In the branches B0-B5, bit %02X makes the target a distance "
-           "from the branch; without this bit the target\n"
-           "is the address (Y) + (B). A one in a bit of G that an instruction does "
-           "not allow causes the trap\n"
+           "The letters P and R are those of [the "
+           "sources](sources.md#the-letters). If the code of an instruction is "
+           "written\n"
+           "`9D.02`, the digits after the point are bits of G that belong to the "
+           "operation. In the branches B0-B5, bit %02X\n"
+           "makes the target a distance from the branch; without this bit the "
+           "target is the address (Y) + (B). A one in a bit of\n"
+           "G that an instruction does not allow causes the trap "
            "`undefined-instruction`.\n"
            "\n"
-           "The immediate I4 of the formats ALTER, ALTERB and ALTERF is the low "
-           "half of G. The high two bits of I4 give the\n"
-           "condition of the branch: 0 never, 1 always, 2 if the bit is one, 3 if "
-           "the bit is zero. The low two bits give the\n"
-           "change of the bit: 0 none, 1 invert it, 2 make it zero, 3 make it one.\n",
+           "The immediate operand I4 of the formats ALTER, ALTERB and ALTERF is "
+           "the low half of G. The high two bits of I4 give\n"
+           "the condition of the branch: 0 never, 1 always, 2 if the bit is one, 3 "
+           "if the bit is zero. The low two bits give the\n"
+           "change of the bit, which does not depend on the condition: 0 none, 1 "
+           "invert it, 2 make it zero, 3 make it one.\n",
            C205_G_RELATIVE);
 }
 
@@ -327,8 +335,8 @@ static void put_free_codes(void)
 static void put_left_out(void)
 {
     puts("\n## Instructions that are not implemented\n\n"
-         "An instruction that is not in the table raises the trap "
-         "`undefined-instruction`, so that no program\ncontinues after it:\n\n"
+         "An operation code without an instruction causes the trap "
+         "`undefined-instruction`, which stops the program:\n\n"
          "```c205\n"
          "        .entry  start\n"
          "start:  .half   0xF8000000, 0           ; once a byte string\n"
@@ -339,7 +347,7 @@ static void put_left_out(void)
         printf("| %s | %s | %s |\n", left_out[i].what, left_out[i].why,
                left_out[i].instead);
     }
-    printf("\nCodes without a row: ");
+    printf("\nOperation codes without an instruction: ");
     put_free_codes();
     puts(".");
 }
@@ -350,18 +358,19 @@ int isa_page(const char *command, const c205_model *model)
     puts("# The instructions\n\n"
          "<!-- made from vm/insn.def and asm/isa_examples by "
          "make docs -->\n");
-    printf("This page describes all %zu instructions in the order of the instruction "
-           "table, `vm/insn.def`.\n"
+    printf("This page describes all %zu instructions in the order of the "
+           "instruction table, `vm/insn.def`.\n"
            "[machine.md](machine.md) has the rules that many instructions share, "
            "[arithmetic.md](arithmetic.md) the results bit\n"
            "by bit, and [timing.md](timing.md) the clock. The clocks are for the "
-           "model `%s`, rounded up; n is the\n"
-           "number of elements, or of bits in a bit string. The table of an "
-           "instruction lists its rules for special values, if\n"
-           "it has any. In every instruction a result above the range is indefinite "
-           "(flags 42 and 46), and a result below the\n"
-           "range is machine zero (flag 43). The tests assemble, run and check each "
-           "example.\n",
+           "model `%s`,\n"
+           "and are rounded up. In a number of clocks, n is the number of elements, "
+           "or of bits in a bit string. The table of an\n"
+           "instruction lists its rules for special values, if it has any. In every "
+           "instruction, a result above the range is\n"
+           "indefinite and sets the flags 42 and 46, and a result below the range is "
+           "machine zero and sets flag 43. The tests\n"
+           "assemble, run and check each example.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();
