@@ -366,11 +366,13 @@ int isa_page(const char *command, const c205_model *model)
            "model `%s`,\n"
            "and are rounded up. In a number of clocks, n is the number of elements, "
            "or of bits in a bit string. The table of an\n"
-           "instruction lists its rules for special values, if it has any. In every "
-           "instruction, a result above the range is\n"
-           "indefinite and sets the flags 42 and 46, and a result below the range is "
-           "machine zero and sets flag 43. The tests\n"
-           "assemble, run and check each example.\n",
+           "instruction lists its rules for special values, if it has any; "
+           "[arithmetic.md](arithmetic.md#words) defines the terms\n"
+           "of these rules, such as *plain word*. In every instruction, a result above "
+           "the range is indefinite and sets the flags\n"
+           "42 and 46, and a result below the range is machine zero and sets flag 43. "
+           "The tests assemble, run and check each\n"
+           "example.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();

@@ -42,8 +42,8 @@ static const struct operand_meaning {
     { 'c', "vector, written; the machine sets its length", NULL },
     { 'o', "bit vector, written; the machine sets its length", NULL },
     { 'g',
-      "bit vector: `, [z]` is written, and the machine sets its length; `? [z]` is "
-      "an input: C has an element where it has ones",
+      "bit vector; `, [z]` makes it a result, whose length the machine sets; `? [z]` "
+      "makes it an input, and C has an element for each of its ones",
       NULL },
     { 'x', "address of a table; its length is not used", NULL },
     { 'n', "immediate", NULL },
@@ -78,7 +78,8 @@ static const char *flag_note(const c205_insn *insn, unsigned flag)
     if (flag != C205_INSN_SIGN)
         return NULL;
     if (insn->format == C205_FORMAT_EXTREME)
-        return "sign control: A may be -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
+        return "sign control: A may be -A, |A| or -|A|; bit 01 of G is allowed and has "
+               "no effect";
     return strpbrk(c205_format_syntax(insn->format), "bB")
                ? "sign control: A may be -A, |A| or -|A|; B may be |B|"
                : "sign control: A may be -A, |A| or -|A|";
