@@ -107,6 +107,9 @@ static const struct asm_error wrong_texts[] = {
     { " mul r1, r2, r3\n", 1, 2,
       "found 'mul'; MPYS multiplies numbers, MPYX multiplies integers" },
     { " HALT\n", 1, 2, "; EXIT ends the program" },
+    /* An error in a macro of the library is at its call. */
+    { " .include \"core.s\"\n .macro own\n descriptor r5, nosuch, 3\n .endm\n own\n", 3,
+      2, "(in a macro, at core.s:11)" },
     { " CMPGTV [r1], [r2], [r3]\n", 1, 2, "; exchange the sources and use CMPLTV" },
     { " CMPLVT [r1], [r2], [r3]\n", 1, 2, "did you mean CMPLTV?" },
     { " .dta\n", 1, 2, "did you mean .data?" },
