@@ -183,6 +183,26 @@ export const tests = {
     await driver.close();
   },
 
+  async "warnings and the trap of a run are below the program"(world) {
+    const driver = await open(world, " .reg base, r15\n ES r1, 3\n ES r2, 1\n MPYS r1, r2, r3\n"
+      + " ES base, 64\n LOD [base], r16\n EXIT\n");
+    assert.equal(await driver.shown("#faults"), false);
+    await driver.press("run");
+    assert.deepEqual(await driver.page.$$eval("#faults li", (all) => all.map(({ className }) => className)),
+      ["warning", "error"]);
+    assert.match(await driver.text("#faults .warning"), /^line 4 r1 is the integer 3, not 3\.0/);
+    assert.match(await driver.text("#faults .error"), /base \(r15\) = X'0000 0000 0000 0040' \(64\)/);
+    assert.match(await driver.text("#status"), /^Line 6: trap unmapped-address at [^\n]*there\.$/);
+    assert.equal((await driver.page.$$(".cm-lintRange-error")).length, 1);
+    await driver.press("reset");
+    assert.equal(await driver.shown("#faults"), false);
+    await driver.press("tab-laboratory");
+    await driver.write(WRONG);
+    await driver.press("laboratory button[type=submit]");
+    assert.equal((await driver.page.$$("#laboratory .faults .error")).length, 2);
+    await driver.close();
+  },
+
   async "a link has all in it"(world) {
     const driver = await open(world, `${SUM}; naïve Ωmega — "quoted" <tags> & more\n`);
     await driver.choose("model", "cyber205-4pipe");
