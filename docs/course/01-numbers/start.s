@@ -17,7 +17,9 @@ whole:  .space  1                       ; the whole degrees not above it, an int
         load_constant fifty, 50.0
         load_constant offset, 32.0
 
-        ; your code here: from t to degrees and floor
+        ; your code here, in place of two lines: from t to degrees and floor
+        ES      degrees, 0
+        ES      floor, 0
 
         EX      address, fahrenheit
         STO     [address], degrees

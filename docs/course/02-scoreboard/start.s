@@ -19,7 +19,8 @@ p:      .space  1
         ES      i7, 7
         LOD     [a_at, i7], a7
 
-        ; your code here: the other coefficients, and result := p(x)
+        ; your code here, in place of this line: coefficients, result := p(x)
+        ES      result, 0
 
         EX      p_at, p
         STO     [p_at], result

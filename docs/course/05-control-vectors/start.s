@@ -32,7 +32,8 @@ above:  .space  1                       ; incomes that reach the limit, an integ
         descriptor taxes, tax, n
         descriptor riches, rich, n
 
-        ; your code here
+        ; your code here, in place of this line
+        ES      count, 0
 
         EX      address, above
         STO     [address], count

@@ -38,7 +38,8 @@ few_d:  .space  n                       ; room for those with a root
 
         CMPGEV  [ds], r0, [reals]
 
-        ; your code here
+        ; your code here, in place of this line
+        ES      count, 0
 
         EX      address, hits
         STO     [address], count
