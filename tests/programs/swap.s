@@ -1,7 +1,7 @@
 ; Registers and memory are compared after exchanges of several lengths, also with the
 ; descriptors' own registers.  A wrong length, order or address fails.
 ; tests: SWAP
-; SWAP: saves registers from S on to vector T, then loads registers from S on
+; SWAP: stores registers S, S+1, .. in vector T, then loads registers S, S+1, ..
 ; from vector R
 
         .regs   r10, load, save
