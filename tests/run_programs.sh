@@ -29,7 +29,8 @@ for name in $("$c205" isa --names); do
 done
 
 # A warning is reported once for a line of a macro. Each instruction is therefore also
-# run alone, in a copy without the lines that name other instructions.
+# run alone, in a copy without the lines that name other instructions. Some of these
+# lines write registers, so reads of unwritten registers are not reported.
 awk -v folder="$work/alone" '
     function names_other(text, only, words, n, i) {
         if (text !~ /^;/)
@@ -61,7 +62,7 @@ awk -v folder="$work/alone" '
     END { if (warns) write() }' "$work"/*.s
 awk '/^; warns: / { for (i = 4; i <= NF; i++) print $3, $i }' tests/programs/*.s |
     sort -u >"$work/said"
-"$c205" run --check "$work"/*.s "$work"/alone/*.s 2>&1 | awk '
+"$c205" run --check -Wno-unwritten-register "$work"/*.s "$work"/alone/*.s 2>&1 | awk '
     /warning: .*\[-W/ {
         match($0, /\[-W[a-z-]*/)
         name = substr($0, RSTART + 3, RLENGTH - 3)

@@ -35,7 +35,10 @@ static void check_length(struct runtime_checker *watch, const struct site *site,
     unsigned r = operand->number;
     if (c205_descriptor_length(operand->word) > 0)
         return;
-    if (watch->is_entered[r] && watch->entered[r] == operand->word)
+    if (r == 0 && site->view.insn->format != C205_FORMAT_SPARSE)
+        runtime_report(watch, site, WARNING_UNSET_LENGTH,
+                       "r0 is 0, so it describes no vector");
+    else if (watch->is_entered[r] && watch->entered[r] == operand->word)
         runtime_report(watch, site, WARNING_UNSET_LENGTH,
                        "r%u has the address %" PRIX64
                        " but no length; set it with ELEN or the macro descriptor",

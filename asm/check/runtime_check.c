@@ -110,8 +110,8 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
     if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
         return;
     if (line) {
-        reported.file = line->shown.file;
-        reported.number = line->shown.number;
+        reported.file = line->reported.file;
+        reported.number = line->reported.number;
         position = asm_line_position(line);
     }
     if (!is_new(watch, reported))

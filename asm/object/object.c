@@ -94,10 +94,12 @@ bool asm_line_is_called(const struct asm_line *line)
 
 struct position asm_line_position(const struct asm_line *line)
 {
-    const struct asm_place *place = &line->shown;
+    const struct asm_place *place = &line->reported;
+    const char *source = asm_place_is(place, line->file, line->number) ? line->source
+                                                                       : place->source;
     const struct position position = { place->file, place->number,
-                                       strspn(place->source, " \t") + 1, place->source,
-                                       strlen(place->source) };
+                                       strspn(source, " \t") + 1, source,
+                                       strlen(source) };
     return position;
 }
 

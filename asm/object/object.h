@@ -60,7 +60,9 @@ struct asm_line {
                                or that of a macro call (asm/text/shown_line.h) */
     struct asm_place call;  /* the outermost macro call that contains the line, or the
                                line itself */
-    enum asm_form form;     /* form of the operation to which the words belong */
+    struct asm_place reported; /* the line at which its warnings are reported: the line
+                                  itself, or the call of a macro of asm/lib */
+    enum asm_form form;        /* form of the operation to which the words belong */
 };
 
 /* A register name, declared by .reg or .regs. */
@@ -115,7 +117,7 @@ const c205_region *object_region_named(const struct object *object, const char *
 bool asm_line_is_called(const struct asm_line *line);
 /* Returns true if a place is this line of this file. */
 bool asm_place_is(const struct asm_place *place, const char *file, size_t number);
-/* Returns the position in the source at which a line is shown. */
+/* Returns the position in the source at which warnings of a line are reported. */
 struct position asm_line_position(const struct asm_line *line);
 /* Returns the symbol with the given name, or NULL. */
 const struct asm_symbol *object_symbol(const struct object *object, const char *name);

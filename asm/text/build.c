@@ -96,6 +96,7 @@ static bool add_line(struct storage *storage, const struct layout_item *item,
     line->shown = keep_place(storage, shown_line(from), last ? shown_line(last) : NULL);
     line->call = keep_place(storage, outermost_line(from),
                             last ? outermost_line(last) : NULL);
+    line->reported = keep_place(storage, reported_line(from), NULL);
     line->form = form_of_line(from);
     return !storage->arena.failed;
 }

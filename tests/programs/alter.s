@@ -76,6 +76,8 @@ BADF.fault:
 ; expect: r0 = 0
 ; A loop of two passes that uses the bit as its counter.
         ES      one, 1
+        ES      passes, 0
+        ES      count, 0
         EX      target, BARB.again
 BARB.again: ADDX    passes, one, passes
         BARB    count, r0, [target], if_zero | change
@@ -83,4 +85,3 @@ BARB.again: ADDX    passes, one, passes
         register_is BARB, passes, 2
         flags_are BARB, X'0000 0000 0000 0000'
         EXIT
-; expect-warning: unwritten-register

@@ -7,6 +7,9 @@
         .regs   r130, passed, offset, link, target, sum, two, halves, here, count
         .regs   r139, turns, one, length, zero
 
+        ES      sum, 0
+        ES      turns, 0
+
 ; BIM: go to I48 + R
         BIM     BIM.first
         ES      passed, -1
@@ -98,4 +101,3 @@ IBNZ.never:
 BSAVE.routine:
         ADDX    sum, two, sum
         BSAVE   r0, [link]
-; expect-warning: unwritten-register

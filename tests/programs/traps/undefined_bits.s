@@ -4,4 +4,4 @@
         ES      r10, 2
 ; expect-trap: undefined-instruction
 ; expect: r10 = 1
-; expect-warning: unwritten-register
+; expect-warning: unset-length
