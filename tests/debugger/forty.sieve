@@ -46,8 +46,8 @@ step 4, clock 4, region sieve
 step 7, clock 1187, region sieve
 => 400140  STO [r10, r14], r0            ; sieve.s:31: STO     [fs, one], r0
 (c205) info operands
-    r10 = X'00C8 0000 0080 0000' (8388608)
-    r14 = X'0000 0000 0000 0001' (1)
+    fs (r10) = X'00C8 0000 0080 0000' (8388608)
+    one (r14) = X'0000 0000 0000 0001' (1)
     r0 = X'0000 0000 0000 0000' (0)
 (c205) why
    400120  ES r14, 1                     ; sieve.s:30: ES      one, 1
