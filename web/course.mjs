@@ -83,13 +83,19 @@ function program(path) {
 const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
   .map((name) => program(join(folder, name))).filter(Boolean);
 
-/** Returns an object with {html, examples} for each lesson, by name. */
+// Returns the labels of the results that the tests of a lesson require.
+const results = (folder) => [...new Set(readdirSync(folder).filter((name) => /^test-.*\.s$/.test(name))
+  .flatMap((name) => [...read(join(folder, name)).matchAll(/^(?:[^;\n]*\s)?want_([\w$.]*[\w$])/gm)].map(([, label]) => label)))];
+
+/** Returns an object with {html, examples, results} for each lesson, by name. The results are the
+ * labels that the exercise requires. */
 export function readCourse(folder) {
   if (!existsSync(folder)) return {};
   return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
     && existsSync(join(folder, name, "lesson.md"))).sort().map((name) => {
     const examples = programs(join(folder, name), /^example-.*\.s$/);
-    return [folderName.exec(name)[1], { html: lessonHtml(join(folder, name), examples), examples }];
+    return [folderName.exec(name)[1], { html: lessonHtml(join(folder, name), examples), examples,
+      results: results(join(folder, name)) }];
   }));
 }
 

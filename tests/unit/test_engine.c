@@ -55,6 +55,30 @@ TEST(load)
     assert_true(number_of(talk.reply, "step") == 1);
 }
 
+/* The results are the data that differ from the program's text, in words, half words
+ * and bits. Elements after the maximum are listed from the first difference on. */
+TEST(results)
+{
+    SCOPED_VALUE(talk) talk = talk_with(
+        " .include \"vectors.s\"\n .regs r16, a, b, z\n .data\nsame: .word 2.5\n"
+        " .bitvector bits, 4, \"1010\"\nlong: .space 40\nhalves: .half 1, 2\n"
+        " .code\n EX a, long+30*64\n ES b, 7\n STO [a], b\n EX a, halves+32\n"
+        " STOH [a], h50\n EX a, bits\n STO [a], r0\n EXIT\n",
+        AND_PRIOR);
+    talk_ask(&talk, "{'do': 'results'}");
+    talk_says(&talk, "'results': []");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'results', 'elements': 4}");
+    talk_says(&talk, "{'label': 'bits', 'kind': 'bits', 'count': 4, 'differs': 2, "
+                     "'first': 0, 'values': ['0', '0', '0', '0'], "
+                     "'changed': [true, false, true, false]}");
+    talk_says(&talk, "{'label': 'long', 'kind': 'words', 'count': 40, 'differs': 1, "
+                     "'first': 30, 'values': ['7', '0', '0', '0'], "
+                     "'changed': [true, false, false, false]}");
+    assert_int_equal(items_of(json_member(talk.reply, "results")), 3);
+    talk_refused(&talk, "elements", "{'do': 'results', 'elements': -1}");
+}
+
 /* A view shows the last instruction, and the operands of the next instruction. */
 TEST(instructions)
 {

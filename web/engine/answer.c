@@ -192,6 +192,7 @@ static const struct {
     { "view", answer_view, KEEPS_MOVEMENT, true },
     { "timeline", answer_timeline, KEEPS_NOTHING, true },
     { "profile", answer_profile, KEEPS_NOTHING, true },
+    { "results", answer_results, KEEPS_MOVEMENT, true },
     { "accounts", answer_accounts, KEEPS_MOVEMENT, true },
     { "say", answer_command, KEEPS_NOTHING, true },
     { "sweep", answer_sweep, KEEPS_NOTHING, false },

@@ -37,8 +37,8 @@
  *   done          false: { "do": "more", "ms": .. } continues the work; true: the reply
  *                 has the other members below
  *
- * Other requests may abandon unfinished work. about and grade do not. view and accounts
- * abandon only a profile or a timeline. All others abandon any work. The program
+ * Other requests may abandon unfinished work. about and grade do not. view, results and
+ * accounts abandon only a profile or a timeline. All others abandon any work. The program
  * remains at its current step after an abandoned execution. It returns to its previous
  * step after an abandoned profile or timeline.
  *
@@ -122,6 +122,14 @@
  *                 and 1), changed, stored (by the last instruction: first, count)
  *   printed       output up to this step; printed_cut: the output is too long and
  *                 incomplete
+ *
+ * ---- results: the labels whose data differ from the program's text
+ *
+ *   elements      maximum number of elements of a label (16)
+ *
+ *   results       label, kind, count (of elements), differs (number of elements that
+ *                 differ), first (of the listed elements), values (texts), changed
+ *                 (true if the element differs)
  *
  * ---- accounts: "clocks", "causes" and "regions" of c205 run --json, up to this step
  *

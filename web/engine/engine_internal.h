@@ -117,8 +117,8 @@ struct engine {
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
-    answer_timeline, answer_profile, answer_accounts, answer_command, answer_sweep,
-    answer_compare, answer_grade;
+    answer_results, answer_timeline, answer_profile, answer_accounts, answer_command,
+    answer_sweep, answer_compare, answer_grade;
 
 /* Writes the list of lessons for the request `about`. */
 bool put_lessons(struct json *reply, c205_error *error);

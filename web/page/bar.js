@@ -1,14 +1,14 @@
 // bar.js - runs the program: the buttons, the slider over all steps, the status line, and the
 // output of the program.
 
-import { $, count } from "./dom.js";
+import { $, count, fixed, some } from "./dom.js";
 import { faultSentence } from "./faults.js";
 
 const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 // Maps the id of each button to the value of "how" in the request "go".
 const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", continue: "continue",
   "reverse-continue": "reverse-continue" };
-const STOP_REASONS = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
+const STOP_REASONS = { breakpoint: "Stopped at a breakpoint.",
   limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
 const STATUS_CLASS = { limit: "bad", end: "good" };
 
@@ -20,11 +20,18 @@ export function setStatus(words, kind = "") {
 // Formats a message of the debugger as a sentence.
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
+// Returns the sum of a run, as in "Finished in 83 clocks: 71 % operand wait."
+function finished({ clocks, causes }) {
+  const { cause, percent } = causes.reduce((most, one) => one.clocks > most.clocks ? one : most);
+  return `Finished in ${some(clocks, "clock")}: ${fixed(percent, 0)} % ${cause}.`;
+}
+
 // Reports the end of a run or a step.
 function reportRun(reply, { name, view }) {
   if (!reply.ok) return setStatus(reply.error, "bad");
   if (reply.stopped) return setStatus("Stopped by you.");
   if (reply.why === "trap") return setStatus(faultSentence(view.diagnostics.at(-1), name), "bad");
+  if (reply.why === "end" && view.status === 0) return setStatus(finished(view.accounts), "good");
   setStatus(sentence(reply.message) || STOP_REASONS[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
     STATUS_CLASS[reply.why]);
 }

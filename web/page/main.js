@@ -15,6 +15,7 @@ import { Machine } from "./machine.js";
 import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
 import { OWN, Programs } from "./programs.js";
 import { makeRegisters } from "./registers.js";
+import { makeResults } from "./results.js";
 import { Session } from "./session.js";
 import { MAX_PROGRAM, fromHash, toHash } from "./share.js";
 import { makeSplit } from "./split.js";
@@ -52,6 +53,7 @@ const editor = makeEditor($("source"), about, {
   at: (explanation) => fill($("source-note"), explanation && [el("code", {}, explanation.name), ` ${explanation.effect}`]),
 });
 makeBar(session);
+makeResults(session, () => programs.exercise ? programs.lesson.results ?? [] : [], (line) => editor.toLine(line));
 makeSplit();
 makeTimeline($("timeline"), session);
 makeInstruction($("instruction"), session);

@@ -5,6 +5,7 @@ import { $, choices, storage } from "./dom.js";
 import { note, progress, title } from "./lesson.js";
 
 export const OWN = "own";
+const FIRST = "example:first.s"; // the program of the first visit
 const EMPTY = '        .include "print.s"\n\n        EXIT\n';
 
 /** ABOUT is the reply to the request about. COURSE contains the lessons and examples of the page. */
@@ -27,9 +28,9 @@ export class Programs {
     return this.#list.has(key);
   }
 
-  /** Selects the program with a key, or the first program if there is none. */
+  /** Selects the program with a key, or the program of the first visit if there is none. */
   choose(key) {
-    this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
+    this.key = this.#list.has(key) ? key : FIRST;
     Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
     storage.set("at", this.key);
   }

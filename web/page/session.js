@@ -1,5 +1,5 @@
 // session.js - the loaded program and its state. Panels listen to the events "loaded" (the reply of
-// the engine), "view" (the data of all panels), "profile" (clocks by line), "moved" (the end of a
+// the engine), "view" (the data of all panels), "results" (changed data), "profile" (clocks by line), "moved" (the end of a
 // run or a step), "busy", "progress" and "breaks".
 
 const COMMAND_TIMEOUT = 2000; // limit for a command of the debugger, in milliseconds
@@ -98,6 +98,14 @@ export class Session {
     if (turn !== this.#turn || !view.ok) return;
     this.view = view;
     this.#notify("view", view);
+    this.#updateDetails(view);
+  }
+
+  // Reports the changed data, and then the clocks of lines.
+  async #updateDetails(view) {
+    const { ok, results } = await this.machine.request({ do: "results" });
+    if (view !== this.view || !ok) return;
+    this.#notify("results", results);
     this.#updateProfile(view);
   }
 

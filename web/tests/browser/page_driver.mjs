@@ -19,7 +19,9 @@ export class PageDriver {
     page.on("request", (request) => this.requests.push(request.url()));
   }
 
-  static async open(browser, address, { width = 1280, height = 900, scheme = "light" } = {}) {
+  /** Opens the page with the first lesson, with the program of a link, or with the program of the
+   * FIRST visit. */
+  static async open(browser, address, { width = 1280, height = 900, scheme = "light", first = false } = {}) {
     const context = await browser.createBrowserContext();
     const driver = new PageDriver(await context.newPage());
     driver.context = context;
@@ -28,6 +30,8 @@ export class PageDriver {
     await driver.page.goto(address);
     await driver.page.waitForSelector("body.ready");
     await driver.quiet();
+    if (!first && !address.includes("#"))
+      await driver.choose("lesson", await driver.evaluate("`lesson:${about.lessons[0].name}`"));
     return driver;
   }
 

@@ -96,6 +96,47 @@ export const tests = {
     await driver.close();
   },
 
+  async "the program of the first visit prints, and its results are in sight"({ browser, page }) {
+    for (const [width, height] of [[1366, 768], [390, 844]]) {
+      const driver = await PageDriver.open(browser, page, { width, height, first: true });
+      await driver.press("run");
+      assert.equal(await driver.text("#output"), "12 14 16 18 20\n");
+      assert.match(await driver.text("#status"), /^Finished in 1,146 clocks: 87 % page fault\.$/);
+      assert.match(await driver.text("#costliest"), /line 12 MPYSV \[x\], two, \[x\] 1,087 of 1,146 clocks \(95 %\)$/);
+      assert.ok(await driver.page.$eval("#costliest", (node) => node.getBoundingClientRect().bottom <= innerHeight), `${width}`);
+      await driver.press("costliest button");
+      assert.equal(await driver.evaluate(
+        "(({ doc, selection }) => doc.lineAt(selection.main.head).number)(editor.view.state)"), 12);
+      await driver.close();
+    }
+  },
+
+  async "a run shows the data that it changed, the labels of the exercise first"({ browser, page, native }) {
+    const driver = await PageDriver.open(browser, page);
+    const rows = () => driver.page.$$eval(".result-row", (list) => list.map((row) => ({
+      label: row.querySelector("code").textContent, note: row.querySelector("small").textContent,
+      cells: [...row.querySelectorAll("li")].map((cell) => [cell.textContent, cell.classList.contains("changed")]) })));
+    const { solution, start } = native.lessons[0];
+    await driver.press("run");
+    assert.deepEqual((await rows()).map(({ label, note }) => [label, note]), [["fahrenheit", "unchanged"], ["whole", "unchanged"]]);
+    await driver.write(start.replace(/^( +)\.code/m, "another: .space 40\n$1.code")
+      .replace("; your code here", " EX floor, another+20*64\n STO [floor], nine\n ES floor, 7\n ; "));
+    await driver.press("run");
+    assert.deepEqual(await rows(), [
+      { label: "whole", note: "1 changed", cells: [["7", true]] },
+      { label: "fahrenheit", note: "unchanged", cells: [["0", false]] },
+      { label: "another", note: "1 changed, elements 20 to 35 of 40",
+        cells: [["9", true], ...Array.from({ length: 15 }, () => ["0", false])] }]);
+    await driver.press("reset");
+    assert.equal(await driver.shown("#results"), false);
+    assert.equal(await driver.shown("#costliest"), false);
+    // EXIT is not the costliest instruction, although it waits for the result.
+    await driver.write(solution);
+    await driver.press("run");
+    assert.ok(!(await driver.text("#costliest")).includes("EXIT"));
+    await driver.close();
+  },
+
   async "output is shown as text, and long output is cut with a message"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     const html = "<script>window.bad = 1</script><img src=x onerror='window.bad = 1'>";

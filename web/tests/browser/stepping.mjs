@@ -281,9 +281,9 @@ export const tests = {
       [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Ready/]]) {
       const driver = await PageDriver.open(browser, `${page}#${link}`);
       assert.match(await driver.text("#status"), message instanceof RegExp ? message : new RegExp(`^${message}$`), link.slice(0, 40));
-      assert.equal(await driver.evaluate("editor.text"), text ?? await driver.evaluate("about.lessons[0].start"));
+      assert.equal(await driver.evaluate("editor.text"), text ?? await driver.evaluate("window.c205.example('first.s')"));
       assert.equal(await driver.page.$eval("#lesson", ({ value }) => value),
-        text ? "own" : `lesson:${await driver.evaluate("about.lessons[0].name")}`);
+        text ? "own" : "example:first.s");
       await driver.close();
     }
     const driver = await PageDriver.open(browser, page);
