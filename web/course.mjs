@@ -9,10 +9,39 @@ const escaped = (text) => text.replace(/[&<>"]/g, (letter) =>
   ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[letter]);
 const folderName = /^\d\d-(.*)$/;
 
-// Returns a picture as a data URL.
-function inlined(path) {
+// The colours of the figures, and the variables of page.css that replace them.
+const COLOURS = { "#fff": "panel", "#ffffff": "panel", "#000": "ink", "#222": "ink", "#222222": "ink",
+  "#444": "soft", "#555": "soft", "#777": "soft", "#bbb": "edge", "#ddd": "line", "#e0e0e0": "line", "#eee": "well",
+  "#c9dcef": "figure-blue", "#cfe6cf": "figure-green", "#f3d9b1": "figure-sand",
+  "#2b6cb0": "series-0", "#0072b2": "series-0", "#c1531f": "series-1", "#d55e00": "series-1",
+  "#8c8c8c": "issue", "#e0a030": "operandwait", "#c07818": "unitbusy", "#b04a9a": "branch",
+  "#d8503c": "memorywait", "#5b9bd5": "vectorstartup", "#3f9b5f": "vectorstream", "#8a6d3b": "bankconflict",
+  "#7a5ac8": "translationmiss", "#4b3a8f": "pagefault", "#b9c4d0": "work" };
+const SHOWN = 660, MIN_TEXT = 12; // pixels: width of a figure in the page, and its smallest text
+const FITTING = 900; // a wider figure, such as a time line, is not reduced to the page: it scrolls
+const ROOM = 40; // for enlarged text at the right edge
+
+// Returns a figure in the colours of the page. Its smallest text is enlarged as required. Its style
+// sheet applies to this figure only.
+function figure(path, alternative) {
   if (!path.endsWith(".svg")) throw new Error(`${path}: only .svg is carried in the page`);
-  return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
+  const name = `figure-${basename(path, ".svg")}`;
+  const text = read(path);
+  const drawn = Number(/width="(\d+)"/.exec(text)[1]);
+  const width = drawn > FITTING ? drawn : drawn + ROOM;
+  const smallest = width > FITTING ? MIN_TEXT : Math.ceil(MIN_TEXT * width / SHOWN);
+  const shown = Math.ceil(width * MIN_TEXT / smallest);
+  const svg = text.replace(/(font-size[:=]"?)(\d+)/g, (_, start, size) => `${start}${Math.max(size, smallest)}`)
+    .replace(/#[0-9a-f]{3,6}\b/gi, (found) => {
+    const colour = found.toLowerCase();
+    if (!COLOURS[colour]) throw new Error(`${path}: the page has no variable for ${colour}`);
+    return `var(--${COLOURS[colour]})`;
+  }).replace(/<style>(.*)<\/style>/s, (all, rules) => `<style>${rules.replace(/([^{}]+)\{/g, (_, selectors) =>
+    `${selectors.split(",").map((one) => `.${name} ${one.trim()}`).join(",")}{`)}</style>`)
+    .replace(/viewBox="0 0 \d+/, `viewBox="0 0 ${width}`)
+    .replace(/^[^]*?<svg([^>]*?) width="\d+" height="\d+"/, (_, start) =>
+      `<svg${start} class="${name}" role="img" aria-label="${escaped(alternative)}" style="min-width:${shown}px"`);
+  return `<figure><div class="scroll" tabindex="0">${svg.trim()}</div><button type="button" class="quiet">Enlarge</button></figure>`;
 }
 
 // Marks a block with the example that it shows or that prints it: the name becomes the first line
@@ -34,7 +63,7 @@ function lessonHtml(folder, examples) {
   const reader = new Marked({
     renderer: {
       image({ href, text: alternative }) {
-        return `<img src="${inlined(normalize(join(folder, href)))}" alt="${escaped(alternative)}">`;
+        return figure(normalize(join(folder, href)), alternative);
       },
       link({ href, tokens }) {
         const words = this.parser.parseInline(tokens);

@@ -266,10 +266,15 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },
-    /** Marks the current line and scrolls to it. 0 removes the mark. */
-    markLine(line) {
+    /** Scrolls to the place for the learner's code, or to the start of the text. */
+    toExercise() {
+      const at = view.state.doc.toString().search(/your code here/i);
+      view.scrollDOM.scrollTop = at < 0 ? 0 : view.lineBlockAt(at).top - view.scrollDOM.clientHeight / 4;
+    },
+    /** Marks the current line, and scrolls to it if VISIBLE. 0 removes the mark. */
+    markLine(line, visible = true) {
       view.dispatch({ effects: setCurrentLine.of(line) });
-      if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
+      if (line && visible) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
     /** Shows clocks next to lines. A row is {line, form, clocks, percent, executions}. */
     charge(rows) {

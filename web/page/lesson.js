@@ -43,19 +43,15 @@ export function showLesson(lesson, exercise) {
   $("goals").textContent = lesson.tests.filter((test) => test.goals).map(clockLimits).join("; ");
 }
 
-export function setFolded(folded) {
-  $("lesson-panel").classList.toggle("folded", folded);
-  $("fold").textContent = folded ? "Show" : "Hide";
-  $("fold").setAttribute("aria-expanded", String(!folded));
+export function hideVerdict() {
+  $("verdict").hidden = true;
 }
 
-// Shows the verdict or the text of the lesson. They have the same place.
-function showGraded(isGraded) {
-  $("verdict").hidden = !isGraded;
-  $("lesson-panel").classList.toggle("graded", isGraded);
+/** Shows a figure of the lesson in a dialogue, as wide as the page. */
+export function enlarge(figure) {
+  $("figure-dialog").firstElementChild.replaceChildren(figure.querySelector("svg").cloneNode(true));
+  $("figure-dialog").showModal();
 }
-
-export const hideVerdict = () => showGraded(false);
 
 /** Shows the verdict of the engine and stores the best result. */
 export function showVerdict(reply) {
@@ -63,17 +59,16 @@ export function showVerdict(reply) {
   const better = MEDALS.indexOf(reply.medal) > MEDALS.indexOf(best.medal ?? "");
   if (reply.passed && (!best.passed || better)) note(reply.lesson, { passed: true, medal: reply.medal });
   const verdict = $("verdict");
-  setFolded(false);
-  showGraded(true);
-  verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
+  verdict.hidden = false;
+  verdict.className = `panel verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
   fill(verdict,
     el("h3", {}, reply.passed ? "Passed" : "Not passed",
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
-      el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
+      el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Close")),
     ...sentences(reply.report),
     ...reply.tests.filter(({ clocks, report }) => clocks > 0 || report.length > 0).map(tested));
   verdict.scrollTop = 0;
-  $("lesson-panel").scrollIntoView({ block: "start" });
+  verdict.scrollIntoView({ block: "nearest" });
 }
 
 const tested = (test) => el("section", {},

@@ -10,7 +10,7 @@ import { faultItem } from "./faults.js";
 import { makeInstruction } from "./instruction.js";
 import { makeKeys } from "./keys.js";
 import { makeLaboratory } from "./laboratory.js";
-import { hideVerdict, setFolded, showLesson, showVerdict } from "./lesson.js";
+import { enlarge, hideVerdict, showLesson, showVerdict } from "./lesson.js";
 import { Machine } from "./machine.js";
 import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
 import { OWN, Programs } from "./programs.js";
@@ -18,6 +18,7 @@ import { makeRegisters } from "./registers.js";
 import { makeResults } from "./results.js";
 import { Session } from "./session.js";
 import { MAX_PROGRAM, fromHash, toHash } from "./share.js";
+import { makeSide } from "./side.js";
 import { makeSplit } from "./split.js";
 import { makeTabs } from "./tabs.js";
 import { switchTheme } from "./theme.js";
@@ -55,6 +56,7 @@ const editor = makeEditor($("source"), about, {
 makeBar(session);
 makeResults(session, () => programs.exercise ? programs.lesson.results ?? [] : [], (line) => editor.toLine(line));
 makeSplit();
+const side = makeSide(() => { if (!(session.view?.step > 0)) editor.toExercise(); });
 makeTimeline($("timeline"), session);
 makeInstruction($("instruction"), session);
 makeCauses($("causes"), session);
@@ -105,9 +107,13 @@ function listFaults(faults) {
   fill($("faults"), faults.map((fault) => faultItem(fault, session.name, (...place) => editor.toLine(...place))));
 }
 
+session.on("moved", hideVerdict);
+let fresh = false; // the program has been assembled and not yet run
+session.on("loaded", () => { fresh = true; });
 session.on("view", ({ ended, line, diagnostics }) => {
   listFaults([...session.loaded.diagnostics, ...diagnostics]);
-  editor.markLine(ended ? 0 : line);
+  editor.markLine(ended ? 0 : line, !fresh);
+  fresh = false;
 });
 session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
@@ -128,12 +134,16 @@ function open(key, text, warm) {
   session.name = programs.name;
   session.breaks = [];
   editor.set(text ?? programs.written ?? programs.text);
+  side.reset();
+  if (!programs.exercise) side.showProgram();
+  editor.toExercise();
   session.change(editor.text);
   return session.load();
 }
 
 async function check() {
   if (!programs.exercise || session.busy) return;
+  side.showProgram();
   setStatus("Checking the answer ..");
   const reply = await session.runRequest({ do: "grade", lesson: programs.lesson.name,
     name: programs.name, text: editor.text });
@@ -200,9 +210,10 @@ const acts = {
   keys: () => $("keys-dialog").showModal(),
   exercise: () => open(`lesson:${programs.lesson.name}`),
   restore: () => editor.type(programs.text),
-  fold: () => setFolded(!$("lesson-panel").classList.contains("folded")),
 };
 for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
+for (const place of [document.querySelector(".transport"), document.querySelector(".skip")])
+  place.addEventListener("click", side.showProgram);
 makeKeys();
 
 $("lesson").addEventListener("change", () => { forgetLink(); open($("lesson").value); });
@@ -213,6 +224,8 @@ $("licences").addEventListener("toggle", async () => {
 });
 // Opens another lesson or an example if the learner clicks a link in the text of the lesson.
 $("lesson-text").addEventListener("click", (event) => {
+  const figure = event.target.closest("figure");
+  if (figure) return enlarge(figure);
   const { lesson, example } = event.target.closest("[data-lesson], [data-example]")?.dataset ?? {};
   if (!lesson && !example) return;
   event.preventDefault();

@@ -24,8 +24,8 @@ export function makeSplit() {
   });
   bar.addEventListener("pointermove", (event) => {
     if (!bar.hasPointerCapture(event.pointerId)) return;
-    const { top, height } = main.getBoundingClientRect();
-    setAndStore(100 * (event.clientY - top) / height);
+    const { top } = $("lesson-panel").getBoundingClientRect();
+    setAndStore(100 * (event.clientY - top) / main.clientHeight);
   });
   bar.addEventListener("dblclick", () => setAndStore(DEFAULT));
   bar.addEventListener("keydown", (event) => {

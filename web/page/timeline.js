@@ -6,7 +6,7 @@ import { colour, count, draw, duration, el, fill, some } from "./dom.js";
 import { named } from "./causes.js";
 
 const MAX = 600; // maximum number of instructions in the drawing
-const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // sizes in pixels
+const BOX = 17, GAP = 6, TOP = 22, LEFT = 122; // sizes in pixels
 const FIRST = 240; // initial range in clocks
 const MIN_RANGE = 16; // shortest range in clocks
 

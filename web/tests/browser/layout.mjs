@@ -34,6 +34,25 @@ const beyond = (driver) => driver.page.evaluate(() => {
       .map(({ node }) => node.outerHTML.slice(0, 120))].filter(Boolean);
 });
 
+// Returns the visible texts that are smaller than 12 pixels. A figure may be reduced.
+const small = (driver) => driver.page.evaluate(() => {
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const found = [];
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    const parent = node.parentElement;
+    if (!node.textContent.trim() || !parent.checkVisibility() || parent.closest(".visually-hidden, option, script, style")) continue;
+    const scale = parent.ownerSVGElement?.getScreenCTM().a ?? 1;
+    const size = parseFloat(getComputedStyle(parent).fontSize) * scale;
+    if (size < 11.9) found.push(`${size} ${node.textContent}`);
+  }
+  return found;
+});
+
+const inSight = (driver, selector) => driver.page.$eval(selector, (node) => {
+  const { top, bottom, height } = node.getBoundingClientRect();
+  return height > 0 && top >= 0 && bottom <= innerHeight;
+});
+
 export const tests = {
   async "axe finds nothing, in light and dark, wide and narrow, in each view"({ browser, page }) {
     for (const scheme of ["light", "dark"])
@@ -130,7 +149,7 @@ export const tests = {
       reached.push(name);
     }
     for (const name of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "reverse-continue", "back",
-      "step", "continue", "slider", "check", "to-compare", "fold", "lesson-text", "restore", "cm-content", "outcome",
+      "step", "continue", "slider", "check", "to-compare", "side-both", "lesson-text", "restore", "cm-content", "outcome",
       "tab-machine", "machine"])
       assert.ok(reached.some((one) => one.split(" ").includes(name)), `${name} is not reached: ${reached}`);
     // Arrow keys select tabs.
@@ -139,6 +158,59 @@ export const tests = {
     assert.equal(await driver.shown("#laboratory"), true);
     await driver.key("End");
     assert.equal(await driver.shown("#tracer"), true);
+    await driver.close();
+  },
+
+  // The lessons are walked as a learner does: the text, a run, a check.
+  async "no text is smaller than 12 pixels, and results and figures are in sight"({ browser, page, native }) {
+    for (const size of [{ width: 1366, height: 768 }, narrow]) {
+      const driver = await PageDriver.open(browser, page, { ...size, side: "lesson" });
+      for (const { name } of native.lessons.slice(0, 8)) {
+        const where = `${size.width}: ${name}`;
+        await driver.choose("lesson", `lesson:${name}`);
+        assert.equal(await driver.shown("#lesson-text"), true, where);
+        assert.equal(await driver.shown(".source"), false, where);
+        assert.deepEqual(await small(driver), [], where);
+        assert.deepEqual(await beyond(driver), [], where);
+        await driver.press("run");
+        assert.deepEqual(await small(driver), [], `${where}: run`);
+        assert.ok(await inSight(driver, "#outcome"), `${where}: the results`);
+        assert.ok(await inSight(driver, "#status"), `${where}: the status`);
+        assert.ok(await driver.page.$eval(".cm-scroller", (box) => box.clientHeight) >= 200, where);
+        await driver.press("check");
+        assert.deepEqual(await small(driver), [], `${where}: check`);
+        assert.ok(await inSight(driver, "#verdict h3"), `${where}: the verdict`);
+      }
+      await driver.close();
+    }
+  },
+
+  async "the lesson has the whole height, the program is at the exercise, and the choice is kept"({ browser, page, native }) {
+    const driver = await PageDriver.open(browser, page, { width: 1366, height: 768, side: "lesson" });
+    const [width, height] = await driver.page.$eval("#lesson-text", (text) => [text.clientWidth, text.clientHeight]);
+    assert.ok(height > 500 && width > 650, `${width} x ${height}`);
+    await driver.choose("lesson", `lesson:${native.lessons[5].name}`);
+    await driver.press("side-program");
+    assert.equal(await driver.shown("#lesson-text"), false);
+    await driver.page.waitForFunction(() => {
+      const box = document.querySelector(".cm-scroller").getBoundingClientRect();
+      return [...document.querySelectorAll(".cm-line")].some((line) => {
+        const { top, bottom } = line.getBoundingClientRect();
+        return line.textContent.includes("your code here") && top >= box.top && bottom <= box.bottom;
+      });
+    });
+    await driver.page.reload();
+    await driver.page.waitForSelector("body.ready");
+    assert.equal(await driver.shown(".source"), true);
+    await driver.press("side-lesson");
+    // A figure is in the colours of the theme, and a click enlarges it.
+    const colour = () => driver.page.$eval("figure rect", (rect) => getComputedStyle(rect).fill);
+    const light = await colour();
+    await driver.press("theme");
+    assert.notEqual(await colour(), light);
+    await driver.page.click("figure svg");
+    const widths = await driver.page.$$eval("figure .scroll > svg, #figure-dialog .scroll > svg", (list) => list.map((svg) => svg.clientWidth));
+    assert.ok(widths.at(-1) > widths[0], `${widths}`);
     await driver.close();
   },
 
@@ -213,7 +285,7 @@ export const tests = {
   async "at 200 % the program and the line that is typed are visible, also with reported errors"({ browser, page }) {
     // At 200 % the page has half the width and height of a large screen or of a laptop.
     for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
-      const driver = await PageDriver.open(browser, page, size);
+      const driver = await PageDriver.open(browser, page, { ...size, side: "program" });
       assert.deepEqual(await beyond(driver), []);
       const height = () => driver.page.$eval(".cm-scroller", (box) => box.clientHeight);
       assert.ok(await height() >= 100, `${size.width}: ${await height()}`);

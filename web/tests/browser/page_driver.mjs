@@ -20,8 +20,8 @@ export class PageDriver {
   }
 
   /** Opens the page with the first lesson, with the program of a link, or with the program of the
-   * FIRST visit. */
-  static async open(browser, address, { width = 1280, height = 900, scheme = "light", first = false } = {}) {
+   * FIRST visit. SIDE: what is next to the machine. */
+  static async open(browser, address, { width = 1280, height = 900, scheme = "light", first = false, side = "both" } = {}) {
     const context = await browser.createBrowserContext();
     const driver = new PageDriver(await context.newPage());
     driver.context = context;
@@ -30,6 +30,7 @@ export class PageDriver {
     await driver.page.goto(address);
     await driver.page.waitForSelector("body.ready");
     await driver.quiet();
+    await driver.page.$eval(`#side-${side}`, (radio) => radio.click());
     if (!first && !address.includes("#"))
       await driver.choose("lesson", await driver.evaluate("`lesson:${about.lessons[0].name}`"));
     return driver;
