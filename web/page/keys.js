@@ -16,6 +16,7 @@ const KEYS = [
   ["F1", "keys", "show the keys"],
 ];
 const ELSEWHERE = [
+  ["F6", "go to the next panel; with Shift to the previous panel"],
   ["F9", "set or remove a breakpoint at the line of the cursor"],
   ["Escape Tab", "one after the other: leave the program text"],
   ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
@@ -35,11 +36,24 @@ function showKeys() {
   }
 }
 
+// The parts between which F6 moves. A part that is not visible is skipped.
+const PARTS = ["#run", "#lesson-text", ".cm-content", "#verdict", "#outcome", "[role=tabpanel]:not([hidden])"];
+
+function nextPart(by) {
+  const parts = PARTS.map((one) => document.querySelector(one)).filter((part) => part.checkVisibility());
+  const at = parts.findIndex((part) => part.contains(document.activeElement));
+  parts[(Math.max(at, 0) + by + parts.length) % parts.length].focus();
+}
+
 /** Makes each key click its button if the button is enabled. */
 export function makeKeys() {
   showKeys();
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || $("keys-dialog").open) return;
+    if (event.key === "F6") {
+      event.preventDefault();
+      return nextPart(event.shiftKey ? -1 : 1);
+    }
     const pressed = `${event.shiftKey ? "Shift " : ""}${event.altKey ? "Alt " : ""}${event.key}`;
     const found = KEYS.find(([key]) => key === pressed);
     if (!found || (found[1] === "stop" && $("stop").hidden)) return;

@@ -20,9 +20,9 @@ export function title({ number, title: words, name }) {
   return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
 }
 
-// Returns the clock limits of a test for each medal, as in "gold 95, silver 110".
+// Returns the clock limits of a test for each medal, as in "gold at most 95 clocks, silver 110".
 const clockLimits = ({ goals }) => Object.entries(goals)
-  .map(([medal, clocks]) => `${medal} ${count(clocks)}`).join(", ");
+  .map(([medal, clocks], i) => `${medal} ${i === 0 ? `at most ${some(clocks, "clock")}` : count(clocks)}`).join(", ");
 
 let shown = null;
 

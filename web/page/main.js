@@ -118,6 +118,19 @@ session.on("view", ({ ended, line, diagnostics }) => {
 session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 
+// The buttons that go to breakpoints are shown if there is a breakpoint.
+session.on("breaks", (lines) => {
+  for (const id of ["continue", "reverse-continue"]) $(id).hidden = lines.length === 0;
+});
+
+// Hides the controls that the lesson does not need, unless their values are not the usual ones.
+function showControls() {
+  const needed = (id) => !programs.lesson || programs.lesson.controls.includes(id);
+  $("to-compare").hidden = !needed("to-compare");
+  $("model").parentNode.hidden = !needed("model") && session.model === about.model;
+  $("warm").parentNode.hidden = !needed("warm") && session.warm === programs.warm;
+}
+
 // --- Programs -------------------------------------------------------------------------
 
 /**
@@ -133,6 +146,7 @@ function open(key, text, warm) {
   session.warm = $("warm").value = warm ?? programs.warm;
   session.name = programs.name;
   session.breaks = [];
+  showControls();
   editor.set(text ?? programs.written ?? programs.text);
   side.reset();
   if (!programs.exercise) side.showProgram();

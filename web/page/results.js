@@ -27,12 +27,11 @@ export function makeResults(session, expected, showLine) {
     const line = session.view.ended && costliest(rows);
     $("costliest").hidden = !line;
     if (!line) return;
-    const { clocks, percent, executions, source } = line;
+    const { clocks, percent, source } = line;
     fill($("costliest"), "Most clocks: ",
       el("button", { type: "button", class: "link", click: () => showLine(line.line) }, `line ${line.line}`),
       " ", el("code", {}, source.replace(/;.*/, "").replace(/\s+/g, " ").trim()),
-      ` ${count(clocks)} of ${some(session.view.clock, "clock")} (${fixed(percent, 0)} %)`,
-      executions > 1 && `, in ${count(executions)} executions`);
+      ` ${count(clocks)} of ${some(session.view.clock, "clock")} (${fixed(percent, 0)} %)`);
   }
 
   session.on("loaded", () => { $("results").hidden = $("costliest").hidden = true; });
@@ -55,9 +54,8 @@ function bringIntoSight(panel) {
 function costliest(rows) {
   const lines = new Map();
   for (const row of rows.filter(({ source }) => !/^([\w$.]+:\s*)*EXIT\b/i.test(source))) {
-    const { clocks = 0, percent = 0, executions = 0 } = lines.get(row.line) ?? {};
-    lines.set(row.line, { ...row, clocks: clocks + row.clocks, percent: percent + row.percent,
-      executions: Math.max(executions, row.executions) });
+    const { clocks = 0, percent = 0 } = lines.get(row.line) ?? {};
+    lines.set(row.line, { ...row, clocks: clocks + row.clocks, percent: percent + row.percent });
   }
   return [...lines.values()].sort((a, b) => b.clocks - a.clocks)[0];
 }

@@ -130,7 +130,10 @@ export const tests = {
   async "by keys alone: everything is reached and shows that it has the focus"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     await driver.write(PRINTS);
+    await driver.evaluate("editor.toLine(3)");
+    await driver.key("F9");
     await driver.key("F4");
+    await driver.page.focus("#share");
     const reached = [];
     for (let i = 0; i < 80; i++) {
       // Tab indents the text of the program unless Escape was pressed before.
@@ -148,10 +151,20 @@ export const tests = {
       assert.ok(outlined, `${name} has the focus and no outline`);
       reached.push(name);
     }
-    for (const name of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "reverse-continue", "back",
-      "step", "continue", "slider", "check", "to-compare", "side-both", "lesson-text", "restore", "cm-content", "outcome",
+    for (const name of ["lesson", "share", "keys", "theme", "run", "reset", "reverse-continue", "back",
+      "step", "continue", "slider", "check", "side-both", "lesson-text", "restore", "cm-content", "outcome",
       "tab-machine", "machine"])
       assert.ok(reached.some((one) => one.split(" ").includes(name)), `${name} is not reached: ${reached}`);
+    // F6 moves between the panels.
+    await driver.page.focus("#run");
+    const panels = [];
+    for (let i = 0; i < 4; i++) {
+      await driver.key("F6");
+      panels.push(await driver.page.evaluate("document.activeElement.id || document.activeElement.className.split(' ')[0]"));
+    }
+    assert.deepEqual(panels, ["lesson-text", "cm-content", "outcome", "machine"]);
+    await driver.key("Shift+F6");
+    assert.equal(await driver.page.evaluate("document.activeElement.id"), "outcome");
     // Arrow keys select tabs.
     await driver.page.focus("#tab-machine");
     await driver.key("ArrowRight");
@@ -211,6 +224,37 @@ export const tests = {
     await driver.page.click("figure svg");
     const widths = await driver.page.$$eval("figure .scroll > svg, #figure-dialog .scroll > svg", (list) => list.map((svg) => svg.clientWidth));
     assert.ok(widths.at(-1) > widths[0], `${widths}`);
+    await driver.close();
+  },
+
+  async "from Run to the program are at most 10 tab stops"({ browser, page, native }) {
+    const driver = await PageDriver.open(browser, page, { side: "program" });
+    for (const { name } of native.lessons) {
+      await driver.choose("lesson", `lesson:${name}`);
+      await driver.press("step");
+      await driver.page.focus("#run");
+      let stops = 0;
+      do await driver.page.keyboard.press("Tab");
+      while (++stops < 20 && await driver.page.evaluate("!document.activeElement.classList.contains('cm-content')"));
+      assert.ok(stops <= 10, `${name}: ${stops}`);
+    }
+    await driver.close();
+  },
+
+  async "controls are shown in the lessons that need them, and medals have a unit"({ browser, page, native }) {
+    const driver = await PageDriver.open(browser, page);
+    const shown = async (name) => {
+      await driver.choose("lesson", name);
+      return Promise.all(["#model", "#warm", "#to-compare"].map((id) => driver.shown(id)));
+    };
+    assert.deepEqual(await shown("lesson:numbers"), [false, false, false]);
+    assert.match(await driver.text("#goals"), /^gold at most \d+ clocks, silver \d+, bronze \d+$/);
+    assert.deepEqual(await shown("lesson:first-vector"), [false, false, true]);
+    assert.deepEqual(await shown("lesson:crossover"), [true, false, false]);
+    assert.deepEqual(await shown("lesson:paging"), [false, true, false]);
+    assert.deepEqual(await shown("own"), [true, true, true]);
+    await driver.choose("model", "cyber205-4pipe");
+    assert.deepEqual(await shown("lesson:numbers"), [true, false, false]);
     await driver.close();
   },
 
