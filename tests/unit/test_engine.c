@@ -79,6 +79,31 @@ TEST(results)
     talk_refused(&talk, "elements", "{'do': 'results', 'elements': -1}");
 }
 
+/* The shares of a timeline cover each clock of the range once. */
+TEST(shares)
+{
+    SCOPED_VALUE(talk) talk = talk_with(
+        " ES r10, 50\non: DIVS r11, r11, r11\n EX r12, on\n DBNZ r10, [r12]\n EXIT\n",
+        AND_PRIOR);
+    const struct json_value *cause;
+    double sum = 0;
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'timeline', 'from': 3, 'to': 303, 'most': 10, "
+                    "'columns': 7}");
+    talk_says(&talk, "'full': true");
+    cause = json_member_first(talk.reply, "shares");
+    for (; cause; cause = cause->next) {
+        const struct json_value *clocks = json_member_first(cause, "clocks");
+        for (; clocks; clocks = clocks->next)
+            sum += clocks->number;
+    }
+    assert_true(sum == 300);
+    talk_ask(&talk, "{'do': 'timeline', 'from': 3, 'to': 33, 'columns': 7}");
+    talk_says(&talk, "'insns': [{");
+    talk_refused(&talk, "columns",
+                 "{'do': 'timeline', 'from': 3, 'to': 5, 'columns': 7}");
+}
+
 /* A view shows the last instruction, and the operands of the next instruction. */
 TEST(instructions)
 {

@@ -141,10 +141,14 @@
  *
  *   from, to      clocks
  *   most          maximum number of instructions (2000, at most 50000)
+ *   columns       number of columns for the shares (0, at most 4096 and at most the
+ *                 clocks of the range); the shares replace lanes, insns, spans and
+ *                 charged if more instructions than "most" are in the range
  *   file          "x.svg", "x.kanata" or "x.json": selects a format of c205 timeline
  *
  *   from, to      limited to the clocks that have instructions
  *   full          more instructions were omitted
+ *   shares        with "columns", if full: cause, clocks (of each column)
  *   file          text of the file; without file in the request:
  *   lanes         name, rows (the spans of a row do not overlap)
  *   insns         pc, line, text, source (line and form of an instruction of a macro,

@@ -18,6 +18,7 @@
 #include "base/json_read.h"
 #include "base/table.h"
 #include "vm/error.h"
+#include "web/engine/cause_shares.h"
 #include "web/engine/engine.h"
 
 /* ---- A slice of work ------------------------------------------------------- */
@@ -80,6 +81,7 @@ struct replay {
     bool begun;
     struct line_profile *profile;     /* NULL: not requested */
     struct timeline *timeline;        /* NULL: not requested */
+    struct cause_shares *shares;      /* NULL: not requested */
     uint64_t stands, end;             /* the step to return to, and the last step of the
                                          replay */
     bool halted;                      /* the program cannot continue from the current

@@ -13,6 +13,8 @@ void replay_listen(void *context, const c205 *machine, const c205_event *event)
         line_profile_listen(engine->replay.profile, machine, event);
     if (engine->replay.timeline)
         timeline_listen(engine->replay.timeline, machine, event);
+    if (engine->replay.shares)
+        cause_shares_add(engine->replay.shares, event);
 }
 
 static void fall_silent(struct replay *replay)
@@ -20,6 +22,7 @@ static void fall_silent(struct replay *replay)
     line_profile_free(replay->profile);
     if (replay->timeline)
         timeline_free(replay->timeline);
+    cause_shares_free(replay->shares);
     *replay = (struct replay){ .begun = false };
 }
 
@@ -64,14 +67,14 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     return true;
 }
 
-/* Returns true if the replay is complete. A timeline is complete when it is full or its
- * last clock has passed. */
+/* Returns true if the replay is complete. A timeline is complete when its last clock
+ * has passed, or when it is full and no shares are requested. */
 static bool has_recorded_all(const struct engine *engine)
 {
     const struct timeline *timeline = engine->replay.timeline;
     return debugger_step(engine->debugger) >= engine->replay.end
            || (timeline
-               && (timeline->full
+               && ((timeline->full && !engine->replay.shares)
                    || c205_clock(engine_machine(engine)) >= timeline->to));
 }
 

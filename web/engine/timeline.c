@@ -91,6 +91,16 @@ static bool put_spans(const struct engine *engine, struct json *reply,
     return good || error_set(error, "out of memory");
 }
 
+/* Writes the shares of the causes, or the spans if all instructions are recorded. */
+static bool put_picture(const struct engine *engine, struct json *reply,
+                        c205_error *error)
+{
+    if (!engine->replay.shares || !engine->replay.timeline->full)
+        return put_spans(engine, reply, error);
+    cause_shares_put(engine->replay.shares, reply);
+    return true;
+}
+
 /* ---- Files --------------------------------------------------------------- */
 
 /* Writes the timeline as the text of a file in a format of c205 timeline. */
@@ -118,7 +128,7 @@ static bool put_timeline(struct engine *engine, struct json *reply, c205_error *
     json_count(reply, "to", timeline->to);
     json_bool(reply, "full", timeline->full);
     return engine->replay.form ? put_file(engine, reply, error)
-                               : put_spans(engine, reply, error);
+                               : put_picture(engine, reply, error);
 }
 
 static bool timeline_slice(struct engine *engine, struct json *reply, c205_error *error)
@@ -144,7 +154,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
                      struct json *reply, c205_error *error)
 {
     struct timeline *timeline = &engine->timeline;
-    uint64_t most = 2000;
+    uint64_t most = 2000, columns = 0;
     const struct timeline_form *form;
     if (!take_slice(engine, request, error))
         return false;
@@ -152,13 +162,24 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
     if (!take_count(request, "from", &timeline->from, error)
         || !take_count(request, "to", &timeline->to, error)
         || !take_count(request, "most", &most, error)
+        || !take_count(request, "columns", &columns, error)
         || !take_form(request, &form, error))
         return false;
     if (timeline->from >= timeline->to)
         return error_set(error, "\"from\" must be before \"to\"");
+    if (columns > MAX_COLUMNS || columns > timeline->to - timeline->from)
+        return error_set(error, "\"columns\" must be at most %d and at most the clocks",
+                         MAX_COLUMNS);
     timeline->most = most < MAX_TIMELINE ? (size_t)most : MAX_TIMELINE;
     if (!replay_begin(engine, NULL, timeline, debugger_known(engine->debugger), error))
         return false;
     engine->replay.form = form;
+    if (columns > 0)
+        engine->replay.shares = cause_shares_new(timeline->from, timeline->to,
+                                                 (size_t)columns);
+    if (columns > 0 && !engine->replay.shares) {
+        replay_drop(engine);
+        return error_set(error, "out of memory");
+    }
     return timeline_slice(engine, reply, error);
 }

@@ -9,7 +9,7 @@ const PROGRESS_INTERVAL = 500; // milliseconds between two reports of progress
 const RUN_COMMANDS = { run: "end", reset: "start", step: "step", back: "back", continue: "continue",
   "reverse-continue": "reverse-continue" };
 const STOP_REASONS = { breakpoint: "Stopped at a breakpoint.",
-  limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
+  limit: "Stopped after 100,000,000 clocks: probably an endless loop. Run continues it.", start: "At the beginning." };
 const STATUS_CLASS = { limit: "bad", end: "good" };
 
 export function setStatus(words, kind = "") {

@@ -3,6 +3,7 @@
 // run or a step), "busy", "progress" and "breaks".
 
 const COMMAND_TIMEOUT = 2000; // limit for a command of the debugger, in milliseconds
+const MAX_CLOCKS = 1e8; // of one run; more are probably an endless loop
 const ELEMENTS = 64, MAX_ELEMENTS = 4096; // number of elements of each vector in a view
 
 export class Session {
@@ -45,6 +46,16 @@ export class Session {
     const reply = await this.machine.request(request, progress);
     this.#setBusy(false);
     return reply;
+  }
+
+  /** Sends a request that other requests stop, again and again until it is complete or no longer
+   * wanted. Returns null if it is no longer wanted. */
+  async idleRequest(request, wanted) {
+    for (;;) {
+      const reply = await this.machine.request({ ...request, idle: true });
+      if (!wanted() || this.machine.lost) return null;
+      if (!reply.stopped) return reply;
+    }
   }
 
   #setBusy(busy) {
@@ -111,8 +122,8 @@ export class Session {
 
   // Reports the clocks of the lines of this text. "program.s:12" is line 12.
   async #updateProfile(view) {
-    const profile = await this.machine.request({ do: "profile", idle: true });
-    if (view !== this.view || !profile.ok || profile.stopped) return;
+    const profile = await this.idleRequest({ do: "profile" }, () => view === this.view);
+    if (!profile?.ok) return;
     const start = `${this.name}:`;
     this.#notify("profile", profile.lines.filter(({ line }) => line.startsWith(start))
       .map((row) => ({ ...row, line: Number(row.line.slice(start.length)) })));
@@ -130,7 +141,7 @@ export class Session {
     if (this.#stale || this.machine.lost) await this.load();
     if (!this.loaded?.ok) return;
     const turn = this.#turn;
-    const reply = await this.runRequest({ do: "go", how, ...(n !== undefined && { n }) },
+    const reply = await this.runRequest({ do: "go", how, limit: MAX_CLOCKS, ...(n !== undefined && { n }) },
       (progress) => this.#notify("progress", progress));
     if (turn !== this.#turn) return;
     await this.updateView();

@@ -7,6 +7,7 @@ import { named } from "./causes.js";
 
 const MAX = 600; // maximum number of instructions in the drawing
 const BOX = 17, GAP = 6, TOP = 22, LEFT = 122; // sizes in pixels
+const COLUMN = 2, SHARES = 120; // width of a column, and height of the shares of the causes
 const FIRST = 240; // initial range in clocks
 const MIN_RANGE = 16; // shortest range in clocks
 
@@ -78,8 +79,9 @@ export function makeTimeline(panel, session) {
 
   async function update() {
     const mine = ++turn;
-    const reply = await session.machine.request({ do: "timeline", from, to, most: MAX, idle: true });
-    if (mine !== turn || !reply.ok || reply.stopped) return;
+    const columns = Math.min(Math.floor(plotWidth() / COLUMN), to - from);
+    const reply = await session.idleRequest({ do: "timeline", from, to, most: MAX, columns }, () => mine === turn);
+    if (!reply?.ok) return;
     timeline = reply;
     show();
   }
@@ -91,32 +93,53 @@ export function makeTimeline(panel, session) {
   function show() {
     if (!timeline) return picture.replaceChildren();
     picture.setAttribute("aria-label",
-      `${some(timeline.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
+      `${timeline.shares ? "Shares of the causes" : some(timeline.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
     picture.replaceChildren(drawing());
-    const causes = new Set(timeline.spans.map(({ cause }) => cause).filter(Boolean));
+    const causes = new Set((timeline.shares ?? timeline.spans).map(({ cause }) => cause).filter(Boolean));
     fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
     note.hidden = !timeline.full;
-    note.textContent = `The first ${MAX} instructions are drawn; zoom in to see all.`;
+    note.textContent = `More than ${MAX} instructions: each column shows the shares of the causes. Zoom in to see the instructions.`;
+  }
+
+  const pictureWidth = () => Math.max(picture.clientWidth, 320);
+  const plotWidth = () => pictureWidth() - LEFT - 8;
+
+  // Draws a column for each few clocks. A cause is one path of boxes, which are above those of the
+  // earlier causes.
+  function drawShares(svg) {
+    const [{ clocks: { length } }] = timeline.shares;
+    const wide = plotWidth() / length, scale = SHARES / ((to - from) / length);
+    const below = new Float64Array(length);
+    for (const { cause, clocks } of timeline.shares) {
+      const boxes = clocks.map((n, i) => {
+        if (n === 0) return "";
+        below[i] += n * scale;
+        return `M${(LEFT + i * wide).toFixed(2)} ${(TOP + SHARES - below[i]).toFixed(2)}h${wide.toFixed(2)}v${(n * scale).toFixed(2)}h${(-wide).toFixed(2)}z`;
+      });
+      svg.append(draw("path", { d: boxes.join(""), class: colour(cause) }, draw("title", {}, cause)));
+    }
+    svg.append(draw("text", { x: LEFT - 10, y: TOP + 12, class: "lane" }, "charged to"));
   }
 
   function drawing() {
-    const width = Math.max(picture.clientWidth, 320);
+    const width = pictureWidth();
     const tops = [];
-    let height = TOP;
-    for (const { rows } of timeline.lanes) {
+    let height = timeline.shares ? TOP + SHARES + GAP : TOP;
+    for (const { rows } of timeline.lanes ?? []) {
       tops.push(height);
       height += Math.max(rows, 1) * (BOX + 2) + GAP;
     }
-    const x = (at) => LEFT + (width - LEFT - 8) * (Math.min(Math.max(at, from), to) - from) / (to - from);
+    const x = (at) => LEFT + plotWidth() * (Math.min(Math.max(at, from), to) - from) / (to - from);
     const svg = draw("svg", { width, height, viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" });
     const upright = (at, kind) =>
       draw("line", { x1: x(at), x2: x(at), y1: TOP - 4, y2: height - GAP, class: kind });
 
     for (const at of ticks(from, to, (width - LEFT) / 70))
       svg.append(upright(at, "tick"), draw("text", { x: x(at), y: TOP - 9, class: "clock" }, count(at)));
-    timeline.lanes.forEach(({ name }, i) => svg.append(
+    if (timeline.shares?.length > 0) drawShares(svg);
+    timeline.lanes?.forEach(({ name }, i) => svg.append(
       draw("text", { x: LEFT - 10, y: tops[i] + BOX - 4, class: "lane" }, name)));
-    for (const span of timeline.spans) {
+    for (const span of timeline.spans ?? []) {
       const insn = timeline.insns[span.insn];
       const mnemonic = insn.text.split(/\s/)[0];
       const y = tops[span.lane] + span.row * (BOX + 2);

@@ -1,6 +1,6 @@
 // worker.js - runs the engine in a worker. It answers requests one at a time, in slices, and reads
-// messages between slices, so a request can be stopped. Another request stops a request marked
-// "idle".
+// messages between slices, so a request can be stopped. A request marked "idle" is stopped by a
+// request that is not, and by a later request with the same name.
 
 import { startEngine } from "./engine.js";
 
@@ -16,11 +16,14 @@ let resume = null;
 turn.port1.onmessage = () => resume();
 const pause = () => new Promise((resolve) => { resume = resolve; turn.port2.postMessage(0); });
 
+const yields = (request) => request.idle
+  && waiting.slice(1).some(({ request: next }) => !next.idle || next.do === request.do);
+
 async function answer({ id, request }) {
   stopped = false;
   for (let first = true; ; first = false) {
     const reply = engine.answer(first ? { ms: SLICE, ...request } : { do: "more", ms: SLICE });
-    if (reply.done !== false || stopped || (request.idle && waiting.length > 1)) {
+    if (reply.done !== false || stopped || yields(request)) {
       postMessage({ id, reply: reply.done === false ? { ...reply, stopped: true } : reply });
       return;
     }

@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import { PageDriver } from "./page_driver.mjs";
+import { COUNTS, LOOP } from "./texts.mjs";
 
 // The program has control bits, a link, a scalar instruction that waits for a load, and a region.
 const PROGRAM = `        .include "vectors.s"
@@ -112,6 +113,34 @@ export const tests = {
     });
     assert.deepEqual(marked, ["z", "y", "y"]);
     assert.equal((await driver.view()).vectors.find(({ label }) => label === "z").values, BITS);
+    await driver.close();
+  },
+
+  async "the time line of a million steps shows the last instructions, and all as shares of the causes"({ browser, page }) {
+    const driver = await PageDriver.open(browser, page);
+    await driver.write(COUNTS.replace("n, 10", "n, 1200000"));
+    await driver.press("run");
+    await driver.page.waitForSelector("#timeline g.insn");
+    assert.ok((await driver.view()).steps > 1e6);
+    await driver.press("timeline button[title='All of the run']");
+    await driver.page.waitForSelector("#timeline path");
+    assert.equal(await driver.page.$("#timeline g.insn"), null);
+    assert.match(await driver.text("#timeline .note"), /^More than 600 instructions: .* shares of the causes/);
+    const { accounts, clock } = await driver.view();
+    const { shares } = await driver.request({ do: "timeline", from: 0, to: clock, most: 600, columns: 300 });
+    const sums = shares.map(({ cause, clocks }) => [cause, clocks.reduce((sum, n) => sum + n, 0)]);
+    assert.deepEqual(sums, accounts.causes.map((one) => [one.cause, one.clocks]));
+    assert.deepEqual(await driver.page.$$eval("#timeline path title", (list) => list.map((one) => one.textContent)),
+      accounts.causes.map(({ cause }) => cause));
+    await driver.close();
+  },
+
+  async "an endless loop is reported after 100,000,000 clocks"({ browser, page }) {
+    const driver = await PageDriver.open(browser, page);
+    await driver.write(LOOP);
+    await driver.page.click("#run");
+    await driver.page.waitForFunction("/^Stopped after 100,000,000 clocks: probably an endless loop\\./.test(document.getElementById('status').textContent)");
+    assert.ok((await driver.view()).clock >= 1e8);
     await driver.close();
   },
 
