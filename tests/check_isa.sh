@@ -32,6 +32,15 @@ sed -nE 's/ \|$//; s/\\\|/|/g
 verdict $? "c205 isa MNEMONIC does not have the rules of the page"
 head -n 20 "$work/diff"
 
+"$c205" isa --search "Square ROOT" --names >"$work/found"
+"$c205" isa --format csv | grep -i "square root" | cut -d, -f1 | diff - "$work/found" >"$work/diff"
+verdict $? "c205 isa --search finds other rows than grep"
+head -n 20 "$work/diff"
+expect "c205 isa --search finds a name" sh -c "'$c205' isa --search mpysv --names | grep -qx MPYSV"
+"$c205" isa --search "no such words" >"$work/found" 2>"$work/error"
+[ $? -eq 1 ] && grep -q "no instruction has 'no such words'" "$work/error"
+verdict $? "c205 isa --search finds what is not there"
+
 "$c205" isa --names | tr '[:upper:]' '[:lower:]' | sort >"$work/rows"
 for example in "$examples"/*.s; do
     name=$(basename "$example" .s)

@@ -1,5 +1,6 @@
 /* cmd_isa.c - c205 isa: prints the instruction table,
  * instructions and the reference. */
+#include <ctype.h>
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
@@ -9,6 +10,7 @@
 struct isa_arguments {
     struct shared_arguments shared;
     struct command_texts names; /* instructions to print; none: all */
+    const char *search;         /* only rows that contain this text; NULL: all rows */
     bool only_names, markdown, grammar, card;
 };
 
@@ -125,8 +127,25 @@ static const c205_insn *row_named(const char *name)
     return NULL;
 }
 
+/* Returns true if a text contains a part, in upper or lower case. */
+static bool has_part(const char *text, const char *part)
+{
+    for (; *text; text++) {
+        size_t i = 0;
+        while (part[i]
+               && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (!part[i])
+            return true;
+    }
+    return false;
+}
+
 static bool chosen(const struct isa_arguments *args, const c205_insn *insn)
 {
+    if (args->search && !has_part(insn->mnemonic, args->search)
+        && !has_part(insn->effect, args->search))
+        return false;
     for (size_t i = 0; i < args->names.count; i++)
         if (row_named(args->names.items[i]) == insn)
             return true;
@@ -208,9 +227,18 @@ static const char *other_form(const struct isa_arguments *args)
 
 static bool stands_alone(const struct isa_arguments *args)
 {
-    return args->names.count == 0 && !args->only_names && !args->shared.results.path
-           && !args->shared.results.format
+    return args->names.count == 0 && !args->search && !args->only_names
+           && !args->shared.results.path && !args->shared.results.format
            && args->markdown + args->grammar + args->card == 1;
+}
+
+/* Returns true if a row is chosen. */
+static bool any_chosen(const struct isa_arguments *args)
+{
+    for (size_t i = 0; i < c205_insn_count; i++)
+        if (chosen(args, &c205_insns[i]))
+            return true;
+    return false;
 }
 
 static int cmd_isa(void *given)
@@ -230,6 +258,10 @@ static int cmd_isa(void *given)
         if (!row_named(name))
             return cmd_usage(args->shared.command, "unknown instruction '%s'", name);
     }
+    if (!any_chosen(args))
+        return cmd_failed(args->shared.command,
+                          "no instruction has '%s' in its name or effect",
+                          args->search);
     bool good = session_output(&session, &args->shared.results, NULL);
     return session_close(&session, good ? show(args, &session.results) : CMD_FAILED);
 }
@@ -242,6 +274,8 @@ static const char *mnemonic_choice(size_t number)
 #define PLACE(member) offsetof(struct isa_arguments, member)
 
 static const struct command_option options[] = {
+    { OPTION_ROW("search", "WORD", COMMAND_TEXT, PLACE(search),
+                 "only instructions with this text in the name or the effect") },
     OPTION_FLAG("names", PLACE(only_names), "print only the mnemonics"),
     OPTION_FLAG("markdown", PLACE(markdown), "print the whole reference, docs/isa.md"),
     OPTION_FLAG("grammar", PLACE(grammar), "print a TextMate grammar, for editors"),
