@@ -159,15 +159,16 @@ function tab(view) {
 function explain(about, word) {
   const row = about.instructions.find(({ mnemonic }) =>
     mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
-  return row && { name: `${row.mnemonic} ${row.operands}`.trim(), effect: row.effect };
+  return row && { mnemonic: row.mnemonic, name: `${row.mnemonic} ${row.operands}`.trim(), effect: row.effect };
 }
 
 /**
  * Creates the editor in PARENT. The callback CHANGED receives the text after each change. BREAKS
  * receives the lines that have breakpoints. AT receives the table's entry for the word at the
- * cursor. TOOLONG receives the length of a rejected text.
+ * cursor. HELP receives the mnemonic at the cursor, if any, when F1 is pressed. TOOLONG receives the
+ * length of a rejected text.
  */
-export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong }) {
+export function makeEditor(parent, about, { changed, breaks: broken, at, help, tooLong }) {
   // Rejects each change that makes a text longer than the limit, by paste, drop or typing. A text
   // that is already too long may become shorter.
   const limit = EditorState.transactionFilter.of((change) => {
@@ -220,6 +221,11 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
     EditorState.tabSize.of(TAB),
     language(about), syntaxHighlighting(colours),
     keymap.of([
+      { key: "F1", run: (editor) => {
+        const found = wordAt(editor.state, editor.state.selection.main.head);
+        help(found && explain(about, found.word)?.mnemonic);
+        return true;
+      } },
       { key: "F9", run: (editor) => toggle(editor, editor.state.selection.main.head) },
       { key: "Tab", run: tab },
       ...defaultKeymap, ...historyKeymap]),

@@ -16,6 +16,7 @@ const KEYS = [
   ["F1", "keys", "show the keys"],
 ];
 const ELSEWHERE = [
+  ["F1", "on an instruction of the program: its row in the reference"],
   ["F6", "go to the next panel; with Shift to the previous panel"],
   ["F9", "set or remove a breakpoint at the line of the cursor"],
   ["Escape Tab", "one after the other: leave the program text"],
@@ -56,6 +57,7 @@ export function makeKeys() {
     }
     const pressed = `${event.shiftKey ? "Shift " : ""}${event.altKey ? "Alt " : ""}${event.key}`;
     const found = KEYS.find(([key]) => key === pressed);
+    if (pressed === "F1" && event.target.closest(".cm-content")) return; // the editor handles F1
     if (!found || (found[1] === "stop" && $("stop").hidden)) return;
     event.preventDefault();
     $(found[1]).click();

@@ -14,6 +14,7 @@ import { enlarge, hideVerdict, showLesson, showVerdict } from "./lesson.js";
 import { Machine } from "./machine.js";
 import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
 import { OWN, Programs } from "./programs.js";
+import { makeReference } from "./reference.js";
 import { makeRegisters } from "./registers.js";
 import { makeResults } from "./results.js";
 import { Session } from "./session.js";
@@ -49,6 +50,11 @@ const editor = makeEditor($("source"), about, {
     typing = setTimeout(() => { typing = 0; session.load(); }, PAUSE);
   },
   breaks: (lines) => session.setBreaks(lines),
+  help(name) {
+    if (!name) return $("keys").click();
+    showTab("reference");
+    showInstructions(name);
+  },
   tooLong: (length) => setStatus(`The text was rejected: the program would have ${some(length, "character")}, `
     + `and the limit is ${count(MAX_PROGRAM)}.`, "bad"),
   at: (explanation) => fill($("source-note"), explanation && [el("code", {}, explanation.name), ` ${explanation.effect}`]),
@@ -63,6 +69,7 @@ makeCauses($("causes"), session);
 makeRegisters($("registers"), session);
 makeVectors($("vectors"), session);
 makeConsole($("console"), session);
+const showInstructions = makeReference($("reference"), about);
 const laboratory = makeLaboratory($("laboratory"), session, comparablePrograms);
 const comparison = makeCompare($("compare"), session, comparablePrograms);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {

@@ -70,6 +70,8 @@ export const tests = {
         await driver.choose("lesson", "example:saxpy_vector.s");
         await driver.press("run");
         await checkView("a run");
+        await driver.press("tab-reference");
+        await checkView("the reference");
         await driver.press("tab-laboratory");
         await driver.press("laboratory button[type=submit]");
         await checkView("the laboratory");
@@ -97,7 +99,7 @@ export const tests = {
       await driver.choose("lesson", "example:saxpy_vector.s");
       await driver.press("run");
       assert.deepEqual(await beyond(driver), [], `${width}: a run`);
-      for (const view of ["laboratory", "compare", "console", "tracer"]) {
+      for (const view of ["reference", "laboratory", "compare", "console", "tracer"]) {
         await driver.press(`tab-${view}`);
         assert.deepEqual(await beyond(driver), [], `${width}: ${view}`);
       }
@@ -118,7 +120,7 @@ export const tests = {
         await driver.press("run");
         await still(example);
       }
-      for (const view of ["laboratory", "compare", "console", "tracer"]) {
+      for (const view of ["reference", "laboratory", "compare", "console", "tracer"]) {
         await driver.press(`tab-${view}`);
         if (["laboratory", "compare"].includes(view)) await driver.press(`${view} button[type=submit]`);
         await still(view);

@@ -135,6 +135,35 @@ export const tests = {
     await driver.close();
   },
 
+  async "the reference is searched by name and by effect, and F1 explains the instruction at the cursor"({ browser, page }) {
+    const driver = await PageDriver.open(browser, page);
+    const found = async (words) => {
+      await driver.page.$eval("#reference-words", (input, text) => {
+        input.value = text;
+        input.dispatchEvent(new Event("input"));
+      }, words);
+      return driver.page.$$eval("#reference tbody th code:first-child", (list) => list.map((one) => one.textContent.split(" ")[0]));
+    };
+    await driver.press("tab-reference");
+    const all = await driver.evaluate("about.instructions");
+    assert.equal((await found("")).length, all.length);
+    assert.equal((await found("addnv"))[0], "ADDNV");
+    assert.deepEqual((await found("square root")).sort(),
+      all.filter(({ effect }) => effect.includes("square root")).map(({ mnemonic }) => mnemonic).sort());
+    assert.equal((await found("no such words")).length, 0);
+    await driver.press("tab-machine");
+    await driver.evaluate(`editor.toLine(${PROGRAM.split("\n").findIndex((line) => line.includes("MPYSV")) + 1})`);
+    await driver.write(PROGRAM);
+    await driver.evaluate(`editor.toLine(${PROGRAM.split("\n").findIndex((line) => line.includes("MPYSV")) + 1})`);
+    await driver.key("F1");
+    assert.equal(await driver.shown("#reference"), true);
+    assert.match(await driver.text("#reference tbody th"), /^MPYSV /);
+    await driver.evaluate("editor.toLine(1)");
+    await driver.key("F1");
+    assert.equal(await driver.shown("#keys-dialog"), true);
+    await driver.close();
+  },
+
   async "an endless loop is reported after 100,000,000 clocks"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     await driver.write(LOOP);
