@@ -120,15 +120,15 @@ const results = (folder) => [...new Set(readdirSync(folder).filter((name) => /^t
 const controls = (folder) => Object.entries({ "to-compare": /c205 compare/, model: /--model|[14]pipe/, warm: /\bcold\b|page fault/i })
   .filter(([, words]) => words.test(read(join(folder, "lesson.md")))).map(([id]) => id);
 
-/** Returns an object with {html, examples, results, controls} for each lesson, by name. The results
- * are the labels that the exercise requires. The controls are those that not all lessons need. */
+/** Returns an object with {html, examples, solution, results, controls} for each lesson, by name.
+ * The results are the labels that the exercise requires. The controls are those that not all lessons need. */
 export function readCourse(folder) {
   if (!existsSync(folder)) return {};
   return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
     && existsSync(join(folder, name, "lesson.md"))).sort().map((name) => {
     const examples = programs(join(folder, name), /^example-.*\.s$/);
     return [folderName.exec(name)[1], { html: lessonHtml(join(folder, name), examples), examples,
-      results: results(join(folder, name)), controls: controls(join(folder, name)) }];
+      solution: program(join(folder, name, "solution.s"))?.text, results: results(join(folder, name)), controls: controls(join(folder, name)) }];
   }));
 }
 

@@ -50,6 +50,14 @@ export function makeCompare(panel, session, comparablePrograms) {
       : el("p", { class: "fault" }, reply.error ?? "Stopped."));
   }
 
+  /** Compares a program of the list with the program in the editor. */
+  function compareWith(value) {
+    updateLists();
+    first.value = value;
+    second.value = "mine";
+    return run();
+  }
+
   function resultElements(reply, chosen) {
     const titles = [...chosen.map(({ title }) => title), "second - first", "first / second"];
     const comparisonTable = (caption, key, rows, name = String) => table(caption,
@@ -71,5 +79,5 @@ export function makeCompare(panel, session, comparablePrograms) {
   const decimals = { milliseconds: 3, "mean vector length": 1, "Mflop/s": 2 };
   const figure = (x, name) => x == null ? "-" : fixed(x, decimals[name] ?? 0);
 
-  return { updateLists, reset, run };
+  return { updateLists, reset, run, compareWith };
 }

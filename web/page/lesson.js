@@ -53,11 +53,16 @@ export function enlarge(figure) {
   $("figure-dialog").showModal();
 }
 
-/** Shows the verdict of the engine and stores the best result. */
-export function showVerdict(reply) {
+/** Stores a verdict if it is the best of its lesson. */
+export function noteVerdict(reply) {
   const best = progress(reply.lesson);
   const better = MEDALS.indexOf(reply.medal) > MEDALS.indexOf(best.medal ?? "");
   if (reply.passed && (!best.passed || better)) note(reply.lesson, { passed: true, medal: reply.medal });
+}
+
+/** Shows the verdict of the engine. STEPS are buttons, {title, act}, for what the learner may do
+ * next. */
+export function showVerdict(reply, steps) {
   const verdict = $("verdict");
   verdict.hidden = false;
   verdict.className = `panel verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
@@ -65,6 +70,8 @@ export function showVerdict(reply) {
     el("h3", {}, reply.passed ? "Passed" : "Not passed",
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
       el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Close")),
+    steps.length > 0 && el("div", { class: "steps" }, steps.map(({ title, act }) =>
+      el("button", { type: "button", click: act }, title))),
     ...sentences(reply.report),
     ...reply.tests.filter(({ clocks, report }) => clocks > 0 || report.length > 0).map(tested));
   verdict.scrollTop = 0;

@@ -10,7 +10,7 @@ import { faultItem } from "./faults.js";
 import { makeInstruction } from "./instruction.js";
 import { makeKeys } from "./keys.js";
 import { makeLaboratory } from "./laboratory.js";
-import { enlarge, hideVerdict, showLesson, showVerdict } from "./lesson.js";
+import { enlarge, hideVerdict, noteVerdict, showLesson, showVerdict } from "./lesson.js";
 import { Machine } from "./machine.js";
 import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
 import { OWN, Programs } from "./programs.js";
@@ -170,10 +170,22 @@ async function check() {
     name: programs.name, text: editor.text });
   if (session.machine.lost) await session.load();
   if (!reply.ok || reply.stopped) return setStatus(reply.stopped ? "Stopped by you." : reply.error, "bad");
-  showVerdict(reply);
+  noteVerdict(reply);
   programs.updateLists();
+  showVerdict(reply, reply.passed ? nextSteps() : []);
   if (reply.passed) setStatus(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
   else setStatus("Not passed. The verdict gives the reason.", "bad");
+}
+
+// Returns what a learner may do after a passed exercise.
+function nextSteps() {
+  const { nextLesson, solution: [solution] } = programs;
+  return [
+    nextLesson && { title: `Next lesson: ${nextLesson.title}`, act: () => open(`lesson:${nextLesson.name}`) },
+    solution && { title: "Show the solution", act: () => open(solution.value) },
+    solution && { title: "Compare with the solution",
+      act: () => { showTab("compare"); comparison.compareWith(solution.value); } },
+  ].filter(Boolean);
 }
 
 async function share() {

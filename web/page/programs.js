@@ -19,6 +19,8 @@ export class Programs {
         { name: `${lesson.name}.s`, text: lesson.start, lesson, exercise: true });
       for (const { name, text } of lesson.examples ?? [])
         this.#list.set(`part:${lesson.name}:${name}`, { name, text, lesson });
+      if (lesson.solution)
+        this.#list.set(`solution:${lesson.name}`, { name: "solution.s", text: lesson.solution, lesson });
     }
     for (const { name, text } of course.examples) this.#list.set(`example:${name}`, { name, text });
     this.#list.set(OWN, { name: "program.s", text: EMPTY });
@@ -45,8 +47,19 @@ export class Programs {
       .map(([value, program]) => ({ value, title: titleOf(program), text: program.text }));
   }
 
+  /** A list with the solution of the current lesson, which is empty until the learner has passed. */
+  get solution() {
+    return this.lesson && progress(this.lesson.name).passed
+      ? this.#of(`solution:${this.lesson.name}`, () => "the solution") : [];
+  }
+
+  /** The lesson after the current lesson, or undefined. */
+  get nextLesson() {
+    return this.lessons[this.lessons.indexOf(this.lesson) + 1];
+  }
+
   get #parts() {
-    return this.lesson ? this.#of(`part:${this.lesson.name}:`) : [];
+    return this.lesson ? [...this.#of(`part:${this.lesson.name}:`), ...this.solution] : [];
   }
 
   /** Fills the list of programs. It contains the examples of a lesson while the lesson is open. */

@@ -54,6 +54,28 @@ export const tests = {
     await driver.close();
   },
 
+  async "a passed exercise leads to the next lesson, to the solution and to a comparison with it"({ browser, page, native }) {
+    const driver = await PageDriver.open(browser, page);
+    const [{ name, start, solution }, second] = native.lessons;
+    const step = (n) => driver.press(`verdict .steps button:nth-child(${n})`);
+    await driver.press("check");
+    assert.equal(await driver.page.$("#verdict .steps"), null);
+    assert.equal(await driver.page.$(`#lesson option[value="solution:${name}"]`), null);
+    await driver.write(solution);
+    await driver.press("check");
+    await step(3);
+    await driver.page.waitForSelector("#compare .verdict-words");
+    assert.match(await driver.text("#compare .verdict-words"), /^Both take/);
+    await step(2);
+    assert.equal(await driver.evaluate("editor.text"), solution);
+    await driver.press("exercise");
+    await driver.press("check");
+    await step(1);
+    assert.equal(await driver.evaluate("editor.text"), second.start);
+    assert.notEqual(start, second.start);
+    await driver.close();
+  },
+
   async "pictures and links of lessons"({ browser, page }) {
     const driver = await PageDriver.open(browser, page);
     const lessons = await driver.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
