@@ -287,6 +287,83 @@ TEST(touching_loops)
                             &random);
 }
 
+/* ---- Cubic curves -------------------------------------------------------- */
+
+/* A font in the Compact Font Format whose only character, A, is a cubic curve. A point
+ * of the curve is relative to its predecessor. draw_cubic replaces the zeros after each
+ * 28 of the curve by a coordinate. */
+static const unsigned char cubic_font[] = {
+    1,  0, 4,  2,                     /* header */
+    0,  1, 1,  1,  2,  'A',           /* name */
+    0,  1, 1,  1,  16,                /* offsets of: */
+    28, 0, 34, 15,                    /* character set */
+    28, 0, 37, 17,                    /* curves */
+    28, 0, 0,  28, 0,  71,  18,       /* no private data */
+    0,  0, 0,  0,                     /* no strings, no routines */
+    0,  0, 34,                        /* the set: A */
+    0,  2, 1,  1,  2,  29,  14,       /* curves: of no character */
+    28, 0, 0,  28, 0,  0,   21,       /* of A: begin at a point */
+    28, 0, 0,  28, 0,  0,   28, 0, 0, /* cubic curve */
+    28, 0, 0,  28, 0,  0,   28, 0, 0, 8, 14
+};
+enum { CUBIC_BEGIN = 44, EM = 1000 };
+
+/* Draws a curve and writes it into a font. The points are in em. */
+static void draw_cubic(uint64_t *random, double points[4][2],
+                       unsigned char font[sizeof cubic_font])
+{
+    unsigned char *next = font + CUBIC_BEGIN;
+    memcpy(font, cubic_font, sizeof cubic_font);
+    for (int i = 0; i < 4; i++, next += i == 1)
+        for (int k = 0; k < 2; k++, next += 3) {
+            int64_t step = xorshift_between(random, -EM, EM);
+            next[1] = (unsigned char)(step >> 8);
+            next[2] = (unsigned char)step;
+            points[i][k] = (i > 0 ? points[i - 1][k] : 0) + (double)step / EM;
+        }
+}
+
+static double cubic(double points[4][2], int k, double t)
+{
+    double s = 1 - t;
+    return s * s * s * points[0][k] + 3 * s * s * t * points[1][k]
+           + 3 * s * t * t * points[2][k] + t * t * t * points[3][k];
+}
+
+/* A cubic curve becomes the least number of parabolas that differ from the curve by at
+ * most 1e-5 em. A straight line closes the loop. */
+TEST(cubic_curves)
+{
+    uint64_t random = RANDOM_SEED;
+    for (int curve = 0; curve < 1000; curve++) {
+        SCOPED_VALUE(arena) arena = { NULL, false };
+        unsigned char bytes[sizeof cubic_font];
+        double points[4][2], worst = 0, third[2];
+        const char *fault;
+        struct glyph glyph;
+        draw_cubic(&random, points, bytes);
+        struct font *font = NON_NULL(
+            font_open((const char *)bytes, sizeof bytes, &fault));
+        assert_true(font_glyph(font, 'A', &arena, &glyph));
+        font_close(font);
+        assert_true(glyph.count >= 5);
+        size_t parts = (glyph.count - 3) / 2;
+        for (size_t i = 0; i < 20 * parts; i++) {
+            double w = (double)(i % 20) / 20, off[2];
+            for (int k = 0; k < 2; k++)
+                off[k] = along(glyph.points[i / 20 * 2], (size_t)k, w)
+                         - cubic(points, k, ((double)(i / 20) + w) / (double)parts);
+            worst = fmax(worst, hypot(off[0], off[1]));
+        }
+        for (int k = 0; k < 2; k++)
+            third[k] = points[3][k] - 3 * points[2][k] + 3 * points[1][k]
+                       - points[0][k];
+        assert_true(worst < 1.0001e-5);
+        assert_true(sqrt(3) / 36 * hypot(third[0], third[1])
+                    > 1e-5 * pow((double)parts - 1, 3));
+    }
+}
+
 TEST(modifiers)
 {
     SCOPED(scene) *scene = read_scene(
