@@ -14,12 +14,15 @@
 
 static const struct asm_options no_options = { .defines = NULL };
 
+static struct text_line reported; /* the first warnings of random programs */
+
 static struct program_sweep sweep_of(const char *constant, uint64_t from, uint64_t to)
 {
     return (struct program_sweep){ .constant = constant,
                                    .range = { .from = from, .to = to },
                                    .model = prior_model,
                                    .options = &no_options,
+                                   .report = text_line_sink(&reported),
                                    .clocks_most = 1000000000 };
 }
 
