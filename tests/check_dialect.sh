@@ -18,6 +18,8 @@ sources() {
 blank=$(sources | xargs awk -f tests/blank_lines.awk)
 [ -z "$blank" ] || echo "$blank" | sed 's/$/: a blank line after declarations/'
 
+# The text is a program of awk, whose $2 is a field.
+# shellcheck disable=SC2016
 sources | xargs awk -v blank="$blank" '
     function complain(text) {
         print FILENAME ":" FNR ": " text

@@ -65,7 +65,7 @@ LC_ALL=C sort unsorted >wanted
 expect "not thirty have handed in" [ "$(wc -l <wanted)" -eq 30 ]
 for folder in class one-lesson; do
     check 0 --folder $folder "$lesson" --format csv --json $folder.json
-    expect "something is told of the folder $folder" [ ! -s err ]
+    expect "the folder $folder prints an error" [ ! -s err ]
     expect "other columns" \
         [ "$(head -n 1 out)" = "$columns" ]
     sed 1d out | cut -d, -f1-4 | LC_ALL=C sort | cmp -s - wanted
@@ -191,7 +191,7 @@ sed 's/^ *EXIT/        .if n == 1\n        EXIT\n        .endif\n&/' \
     drawer/1-no-gold.s | sed 's/limit, 1000/limit, n * 500/' >marks/dora/scale.s
 TZ=UTC touch -d '2027-03-01 09:30' marks/anna/scale.s
 check 0 --folder marks "$lesson" --format csv --feedback feedback --json marks.json
-expect "something is told of marks" [ ! -s err ]
+expect "the marks print an error" [ ! -s err ]
 tells out '^anna,scale,yes,silver,30485,4,4,90,2027-03-01 09:30,,'
 tells out '^ben,scale,yes,silver,30485,4,4,90,.*,The same code as anna/scale\.s\.,'
 tells out '^chloe,scale,no,,,0,4,0,'
