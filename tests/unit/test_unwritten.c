@@ -75,13 +75,25 @@ static void put_insn(struct drawn *drawn)
     drawn->written[result] = true;
 }
 
+/* The sum of a vector is in an even register and the next one. The vector of r50 is
+ * empty. */
+static void put_sum(struct drawn *drawn)
+{
+    unsigned result = 2
+                      * (unsigned)xorshift_between(drawn->random, FIRST / 2,
+                                                   LAST / 2 - 1);
+    put(drawn, " SUMV [r50], r%u\n", result);
+    drawn->written[result] = drawn->written[result + 1] = true;
+}
+
 /* Draws a program of two passes over its instructions. Its branches lead to the next
  * instruction, so that all instructions are executed. */
 static void draw(struct drawn *drawn, bool faulty)
 {
-    drawn->fault_at = faulty ? 4 + xorshift_below(drawn->random, LINES) : 0;
+    drawn->fault_at = faulty ? 5 + xorshift_below(drawn->random, LINES) : 0;
     put(drawn, " ES r10, 0\n");
     put(drawn, " ES r4, 2\n");
+    put(drawn, " EX r50, 0\n");
     put(drawn, " EX r6, again\nagain:");
     drawn->written[FIRST] = true;
     for (size_t i = 0; i < LINES; i++) {
@@ -92,7 +104,10 @@ static void draw(struct drawn *drawn, bool faulty)
             put(drawn, "next%zu: ES r%u, 1\n", i, FIRST);
             continue;
         }
-        put_insn(drawn);
+        if (drawn->line + 1 != drawn->fault_at && xorshift_below(drawn->random, 8) == 0)
+            put_sum(drawn);
+        else
+            put_insn(drawn);
     }
     put(drawn, " DBNZ r4, [r6]\n");
     put(drawn, " EXIT\n");
